@@ -100,6 +100,10 @@ bool lsp_json_is_truth(lsp_json value, bool *out) {
   return true;
 }
 
+bool lsp_json_true(const lsp_json_reader *r, lsp_json value, const char *path) {
+  return json_is_true(lsp_json_at(r, value, path));
+}
+
 void lsp_json_echo(const lsp_json_reader *r, lsp_json value, FILE *to) {
   if (value && json_is_integer(value)) fprintf(to, "%lld", (long long)of(r)->number(value));
   else if (value && json_is_string(value)) know_json_text(to, of(r)->text(value), of(r)->length(value));

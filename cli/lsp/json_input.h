@@ -25,6 +25,7 @@ lsp_json lsp_json_nth(const lsp_json_reader *r, lsp_json array, size_t nth);
 const char *lsp_json_text(const lsp_json_reader *r, lsp_json value, const char *path, size_t *length);
 /* Returns the whole number at the path, or `otherwise` if there is none. */
 long long lsp_json_number(const lsp_json_reader *r, lsp_json value, const char *path, long long otherwise);
+bool lsp_json_true(const lsp_json_reader *r, lsp_json value, const char *path); /* returns whether `true` is there */
 /* Returns the nth member of an object, in the order of the text, and sets *name; NULL after the last. */
 lsp_json lsp_json_member(const lsp_json_reader *r, lsp_json object, size_t nth, const char **name);
 /* Returns true, and sets *out, if the value is a number. */

@@ -6,7 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/lsp/lsp_answers.h"
+#include "cli/lsp/lsp_actions.h"
+#include "cli/lsp/lsp_colours.h"
+#include "cli/lsp/lsp_lens.h"
+#include "cli/lsp/lsp_words.h"
 #include "languages/analysis/notation.h"
 #include "model/store/array.h"
 
@@ -16,6 +19,7 @@ typedef struct {
   lsp_server s;
   char *body; size_t room;
   bool initialized, shut, ended;
+  unsigned shown; /* number of addresses that the editor was asked to show */
 } server;
 
 /* ---- messages ---- */
@@ -65,6 +69,19 @@ static void send_error(server *v, lsp_json id, int code, const char *why) {
   message_send(&m);
 }
 
+/* Asks the editor to show an address, if the answer has set one. */
+static void show(server *v) {
+  message m;
+  const char *address = v->s.show;
+  v->s.show = NULL;
+  if (!address || !message_begin(&m)) return;
+  fprintf(m.to, "\"id\":\"show-%u\",\"method\":\"window/showDocument\",\"params\":{\"external\":true,\"uri\":",
+          ++v->shown);
+  lsp_put(m.to, address);
+  fputc('}', m.to);
+  message_send(&m);
+}
+
 /* Sends the result of a request, or the reason why there is none. */
 static void send_result(server *v, lsp_json id, lsp_json parameters, lsp_answer *answer) {
   message m;
@@ -76,6 +93,7 @@ static void send_result(server *v, lsp_json id, lsp_json parameters, lsp_answer 
   answer(&v->s, parameters);
   if (!v->s.refused) {
     message_send(&m);
+    show(v);
     return;
   }
   fclose(m.to);
@@ -86,7 +104,7 @@ static void send_result(server *v, lsp_json id, lsp_json parameters, lsp_answer 
 /* ---- the life of the server ---- */
 
 static void answer_initialize(lsp_server *s, lsp_json parameters) {
-  (void)parameters;
+  s->shows = lsp_json_true(&s->json, parameters, "capabilities.window.showDocument.support");
   fputs("{\"capabilities\":{\"positionEncoding\":\"utf-16\","
         "\"textDocumentSync\":{\"openClose\":true,\"change\":2}", s->to);
 #define LSP_REQUEST(method, function, capability) fputs("," capability, s->to);
@@ -105,9 +123,8 @@ static void publish(lsp_server *s, lsp_document *d, bool closed) {
   fputs("\"method\":\"textDocument/publishDiagnostics\",\"params\":{\"uri\":", m.to);
   know_json_text(m.to, d->uri, strlen(d->uri));
   fputs(",\"diagnostics\":", m.to);
-  s->to = m.to;
   if (closed) fputs("[]", m.to);
-  else lsp_write_diagnostics(s, d);
+  else lsp_write_diagnostics(m.to, d, s->interpreter);
   fputc('}', m.to);
   message_send(&m);
 }
@@ -139,11 +156,8 @@ static void lsp_did_change(lsp_server *s, lsp_json parameters) {
     size_t length = 0, from = 0, to = d->length;
     const char *text = lsp_json_text(&s->json, change, "text", &length);
     if (lsp_json_at(&s->json, change, "range")) {
-      lsp_position start = { (uint32_t)lsp_json_number(&s->json, change, "range.start.line", 0),
-                             (uint32_t)lsp_json_number(&s->json, change, "range.start.character", 0) };
-      lsp_position end = { (uint32_t)lsp_json_number(&s->json, change, "range.end.line", 0),
-                           (uint32_t)lsp_json_number(&s->json, change, "range.end.character", 0) };
-      from = lsp_offset(d->text, d->length, start), to = lsp_offset(d->text, d->length, end);
+      lsp_span span = lsp_range_of(&s->json, d, lsp_json_at(&s->json, change, "range"));
+      from = span.from, to = span.to;
     }
     if (text) lsp_document_edit(d, from, to, text, length);
   }
@@ -214,6 +228,7 @@ vs_outcome cli_language_server(const cli_options *o) {
   if (!v.s.language) fputs("vs: out of memory\n", stderr);
   while (v.s.count) drop(&v.s, v.s.documents[0]);
   vs_free(v.s.language);
+  lsp_views_end(&v.s);
   free(v.s.documents);
   free(v.body);
   lsp_json_close(&v.s.json);

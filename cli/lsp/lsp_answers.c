@@ -4,44 +4,27 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/lsp/lsp_words.h"
 #include "cli/prompt/source_text.h"
 #include "languages/analysis/notation.h"
 #include "languages/format/format_program.h"
 
 /* ---- common parts ---- */
 
-lsp_document *lsp_find(const lsp_server *s, lsp_json parameters) {
-  const char *uri = lsp_json_text(&s->json, parameters, "textDocument.uri", NULL);
+lsp_document *lsp_find_uri(const lsp_server *s, const char *uri) {
   for (size_t i = 0; uri && i < s->count; i++)
     if (!strcmp(s->documents[i]->uri, uri)) return s->documents[i];
   return NULL;
+}
+
+lsp_document *lsp_find(const lsp_server *s, lsp_json parameters) {
+  return lsp_find_uri(s, lsp_json_text(&s->json, parameters, "textDocument.uri", NULL));
 }
 
 static size_t offset_of(const lsp_server *s, const lsp_document *d, lsp_json parameters) {
   long long line = lsp_json_number(&s->json, parameters, "position.line", 0);
   long long character = lsp_json_number(&s->json, parameters, "position.character", 0);
   return lsp_offset(d->text, d->length, (lsp_position){ (uint32_t)line, (uint32_t)character });
-}
-
-static void put(FILE *to, const char *text) { know_json_text(to, text, strlen(text)); }
-
-static void put_range(FILE *to, const char *key, const char *text, size_t length, lsp_span span) {
-  lsp_position a = lsp_position_of(text, length, span.from), b = lsp_position_of(text, length, span.to);
-  fprintf(to, "\"%s\":{\"start\":{\"line\":%u,\"character\":%u},\"end\":{\"line\":%u,\"character\":%u}}", key,
-          (unsigned)a.line, (unsigned)a.character, (unsigned)b.line, (unsigned)b.character);
-}
-
-static void put_node_range(FILE *to, const char *key, const knowledge *k, know_index node) {
-  const know_place *at = &know_at(k, node)->at;
-  put_range(to, key, k->files[at->file].text, k->files[at->file].size, (lsp_span){ at->from, at->to });
-}
-
-static void put_location(FILE *to, const knowledge *k, know_index node) {
-  fputs("{\"uri\":", to);
-  lsp_write_uri(to, k->files[know_at(k, node)->at.file].path);
-  fputc(',', to);
-  put_node_range(to, "range", k, node);
-  fputc('}', to);
 }
 
 /* Returns the symbol (a name with its definition) at the position of the request, or 0. Sets *node to the name's node,
@@ -51,39 +34,6 @@ static know_index asked(lsp_server *s, lsp_json parameters, knowledge **k, know_
   if (!d || !lsp_document_study(d, s->interpreter)) return 0;
   *k = &d->draft.k;
   return lsp_symbol_at(*k, offset_of(s, d, parameters), node);
-}
-
-/* ---- diagnostics ---- */
-
-static const char *const check_names[] = {
-#define KNOW_CHECK(id, name, meaning) name,
-#include "languages/checks/checks.def"
-};
-
-static void put_diagnostic(FILE *to, const lsp_document *d, lsp_span span, const char *code, const char *message) {
-  fputc('{', to);
-  put_range(to, "range", d->text, d->length, span);
-  fprintf(to, ",\"severity\":%d,\"source\":\"vs\",\"code\":", strcmp(code, "unreadable") ? 2 : 1);
-  put(to, code);
-  fputs(",\"message\":", to);
-  put(to, message);
-  fputc('}', to);
-}
-
-void lsp_write_diagnostics(lsp_server *s, lsp_document *d) {
-  const char *comma = "";
-  fputc('[', s->to);
-  bool known = !know_reads(d->path) || lsp_document_study(d, s->interpreter);
-  if (!known) put_diagnostic(s->to, d, lsp_place(d->text, d->length, &d->draft.at), "unreadable", d->draft.message);
-  for (size_t i = 0; known && i < d->draft.found.count; i++) {
-    const know_finding *f = &d->draft.found.at[i];
-    if (f->at.file) continue;
-    lsp_span span = f->at.to > f->at.from ? (lsp_span){ f->at.from, f->at.to } : lsp_place(d->text, d->length, &f->at);
-    fputs(comma, s->to);
-    put_diagnostic(s->to, d, span, check_names[f->check], f->details);
-    comma = ",";
-  }
-  fputc(']', s->to);
 }
 
 /* ---- the texts of a name ---- */
@@ -136,7 +86,7 @@ void lsp_hover(lsp_server *s, lsp_json parameters) {
     fputs("{\"contents\":{\"kind\":\"markdown\",\"value\":", s->to);
     know_json_text(s->to, text, length);
     fputs("},", s->to);
-    put_node_range(s->to, "range", k, node);
+    lsp_put_node_range(s->to, "range", k, node);
     fputc('}', s->to);
   } else fputs("null", s->to);
   free(text);
@@ -150,15 +100,15 @@ enum { KIND_FUNCTION = 3, KIND_VARIABLE = 6, KIND_FORM = 14 };
 static void put_item(completion *c, const char *name, int kind, const char *detail, const char *doc) {
   FILE *to = c->s->to;
   fprintf(to, "%s{\"label\":", c->comma);
-  put(to, name);
+  lsp_put(to, name);
   fprintf(to, ",\"kind\":%d,\"detail\":", kind);
-  put(to, detail);
+  lsp_put(to, detail);
   fputs(",\"documentation\":", to);
-  put(to, doc);
+  lsp_put(to, doc);
   fputs(",\"textEdit\":{", to);
-  put_range(to, "range", c->d->text, c->d->length, c->word);
+  lsp_put_range(to, "range", c->d->text, c->d->length, c->word);
   fputs(",\"newText\":", to);
-  put(to, name);
+  lsp_put(to, name);
   fputs("}}", to);
   c->comma = ",";
 }
@@ -195,7 +145,7 @@ void lsp_completion(lsp_server *s, lsp_json parameters) {
     return;
   }
   size_t to = offset_of(s, d, parameters), from = to;
-  while (from && !strchr(" \t\r\n()[]{}\"';`,", d->text[from - 1])) from--;
+  while (from && !lsp_ends_word(d->text[from - 1])) from--;
   char prefix[200];
   snprintf(prefix, sizeof prefix, "%.*s", (int)(to - from), d->text + from);
   completion c = { s, "", d, { (uint32_t)from, (uint32_t)to } };
@@ -213,7 +163,7 @@ static void put_signature(FILE *to, const char *call, size_t length, const char 
   fputs("{\"label\":", to);
   know_json_text(to, call, length);
   fputs(",\"documentation\":", to);
-  put(to, doc);
+  lsp_put(to, doc);
   fputs(",\"parameters\":[", to);
   size_t i = 0;
   while (i < length && call[i] != ' ' && call[i] != '\n') i++;
@@ -267,7 +217,7 @@ void lsp_signature(lsp_server *s, lsp_json parameters) {
 void lsp_definition(lsp_server *s, lsp_json parameters) {
   knowledge *k = NULL;
   know_index node = 0, symbol = asked(s, parameters, &k, &node);
-  if (symbol && k->symbols[symbol].definition) put_location(s->to, k, k->symbols[symbol].definition);
+  if (symbol && k->symbols[symbol].definition) lsp_put_location(s->to, k, k->symbols[symbol].definition);
   else fputs("null", s->to);
 }
 
@@ -276,10 +226,10 @@ void lsp_references(lsp_server *s, lsp_json parameters) {
   know_index node = 0, symbol = asked(s, parameters, &k, &node);
   const char *comma = "";
   fputc('[', s->to);
-  for (know_index i = 1; symbol && i < k->text_nodes; i++) {
+  for (know_index i = 1; symbol && i <= k->text_nodes; i++) {
     if (!lsp_is_name_of(k, i, symbol)) continue;
     fputs(comma, s->to);
-    put_location(s->to, k, i);
+    lsp_put_location(s->to, k, i);
     comma = ",";
   }
   fputc(']', s->to);
@@ -292,7 +242,7 @@ static char *renamed(const knowledge *k, know_index symbol, const char *name, si
   size_t from = 0;
   FILE *to = open_memstream(&text, length);
   if (!to) return NULL;
-  for (know_index i = 1; i < k->text_nodes; i++) {
+  for (know_index i = 1; i <= k->text_nodes; i++) {
     const know_place *at = &know_at(k, i)->at;
     if (!lsp_is_name_of(k, i, symbol) || at->from < from) continue;
     fwrite(k->files[0].text + from, 1, at->from - from, to);
@@ -325,7 +275,7 @@ void lsp_rename(lsp_server *s, lsp_json parameters) {
   s->refused = "there is no name of the program here";
   if (!symbol || !name || !k->symbols[symbol].definition) return;
   s->refused = "another file has the name; rename it there by hand";
-  for (know_index i = 1; i < k->text_nodes; i++)
+  for (know_index i = 1; i <= k->text_nodes; i++)
     if (lsp_is_name_of(k, i, symbol) && know_at(k, i)->at.file) return;
   size_t length = 0;
   char *text = renamed(k, symbol, name, &length);
@@ -338,14 +288,14 @@ void lsp_rename(lsp_server *s, lsp_json parameters) {
   s->refused = NULL;
   const char *comma = "";
   fputs("{\"changes\":{", s->to);
-  put(s->to, d->uri);
+  lsp_put(s->to, d->uri);
   fputs(":[", s->to);
-  for (know_index i = 1; i < k->text_nodes; i++) {
+  for (know_index i = 1; i <= k->text_nodes; i++) {
     if (!lsp_is_name_of(k, i, symbol)) continue;
     fprintf(s->to, "%s{", comma);
-    put_node_range(s->to, "range", k, i);
+    lsp_put_node_range(s->to, "range", k, i);
     fputs(",\"newText\":", s->to);
-    put(s->to, name);
+    lsp_put(s->to, name);
     fputc('}', s->to);
     comma = ",";
   }
@@ -364,13 +314,13 @@ void lsp_outline(lsp_server *s, lsp_json parameters) {
     if (!y->definition || y->made || !y->form || know_at(k, y->definition)->at.file ||
         k->scopes[y->scope].kind != KNOW_SCOPE_PROGRAM) continue;
     fprintf(s->to, "%s{\"name\":", comma);
-    put(s->to, y->text);
+    lsp_put(s->to, y->text);
     fprintf(s->to, ",\"kind\":%d,\"detail\":", y->kind == KNOW_FUNCTION || y->kind == KNOW_MACRO ? 12 : 13);
-    put(s->to, know_symbol_word((know_symbol_kind)y->kind));
+    lsp_put(s->to, know_symbol_word((know_symbol_kind)y->kind));
     fputc(',', s->to);
-    put_node_range(s->to, "range", k, y->form);
+    lsp_put_node_range(s->to, "range", k, y->form);
     fputc(',', s->to);
-    put_node_range(s->to, "selectionRange", k, y->definition);
+    lsp_put_node_range(s->to, "selectionRange", k, y->definition);
     fputc('}', s->to);
     comma = ",";
   }
@@ -389,7 +339,7 @@ void lsp_formatting(lsp_server *s, lsp_json parameters) {
   fputc('[', s->to);
   if (changes) {
     fputc('{', s->to);
-    put_range(s->to, "range", d->text, d->length, (lsp_span){ 0, (uint32_t)d->length });
+    lsp_put_range(s->to, "range", d->text, d->length, (lsp_span){ 0, (uint32_t)d->length });
     fputs(",\"newText\":", s->to);
     know_json_text(s->to, text, length);
     fputc('}', s->to);

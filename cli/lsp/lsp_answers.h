@@ -6,6 +6,8 @@
 #include "cli/lsp/lsp_document.h"
 #include "languages/analysis/source_tree.h"
 
+typedef struct { char *path, address[160]; int process; } lsp_view;
+
 typedef struct {
   lsp_json_reader json;
   const vs_options *interpreter;
@@ -14,6 +16,9 @@ typedef struct {
                                                  * interpreters point to them */
   const char *refused;       /* reason why the last request has no result, or NULL */
   FILE *to;                  /* stream to which a request's result is written */
+  lsp_view *views; size_t view_count, view_room; /* the live views that the server has started */
+  bool shows;                /* whether the editor shows addresses that it receives */
+  const char *show;          /* the address that the editor is to show after the result, or NULL */
 } lsp_server;
 
 /* The function that answers a request. It writes its result to s->to: one JSON value. If it sets s->refused, the result
@@ -28,9 +33,8 @@ void lsp_rename(lsp_server *s, lsp_json parameters);
 void lsp_outline(lsp_server *s, lsp_json parameters);
 void lsp_formatting(lsp_server *s, lsp_json parameters);
 
-/* Returns the open document that the request's parameters name by its address, or NULL. */
+/* Return the document with this address, or with the one in the request's member textDocument; NULL: there is none. */
+lsp_document *lsp_find_uri(const lsp_server *s, const char *uri);
 lsp_document *lsp_find(const lsp_server *s, lsp_json parameters);
-/* Writes the findings of vs check in the document, or its first error, as the protocol's list of diagnostics. */
-void lsp_write_diagnostics(lsp_server *s, lsp_document *d);
 
 #endif

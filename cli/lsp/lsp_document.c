@@ -31,15 +31,21 @@ size_t lsp_offset(const char *text, size_t length, lsp_position at) {
   return i;
 }
 
-lsp_position lsp_position_of(const char *text, size_t length, size_t offset) {
-  lsp_position at = { 0 };
-  size_t from = 0;
+void lsp_advance(const char *text, size_t length, size_t *at, size_t to, lsp_position *place) {
   uint32_t units;
-  if (offset > length) offset = length;
-  for (size_t i = 0; i < offset; i++)
-    if (ends_line(text, length, i)) at.line++, from = i + 1;
-  for (size_t i = from; i < offset; at.character += units) i += character(text, length, i, &units);
-  return at;
+  while (*at < to) {
+    bool end = ends_line(text, length, *at);
+    *at += character(text, length, *at, &units);
+    if (end) place->line++, place->character = 0;
+    else place->character += units;
+  }
+}
+
+lsp_position lsp_position_of(const char *text, size_t length, size_t offset) {
+  lsp_position place = { 0 };
+  size_t at = 0;
+  lsp_advance(text, length, &at, offset > length ? length : offset, &place);
+  return place;
 }
 
 /* Returns the offset in bytes of a line and a column. Columns count characters; lines and columns begin at 1. */
@@ -135,7 +141,7 @@ bool lsp_is_name_of(const knowledge *k, know_index node, know_index symbol) {
 }
 
 know_index lsp_symbol_at(const knowledge *k, size_t offset, know_index *node) {
-  for (know_index i = 1; i < k->text_nodes; i++) {
+  for (know_index i = 1; i <= k->text_nodes; i++) {
     const know_node *n = know_at(k, i);
     if (n->at.file || n->at.from > offset || n->at.to < offset || !lsp_is_name_of(k, i, n->symbol)) continue;
     *node = i;

@@ -19,6 +19,8 @@ typedef struct {
  * offset. */
 size_t lsp_offset(const char *text, size_t length, lsp_position at);
 lsp_position lsp_position_of(const char *text, size_t length, size_t offset);
+/* Moves *at, a byte at *place, on to the byte `to`. */
+void lsp_advance(const char *text, size_t length, size_t *at, size_t to, lsp_position *place);
 /* Returns the bytes of a place, which has lines and columns of characters. An empty place is extended to one
  * character. */
 lsp_span lsp_place(const char *text, size_t length, const know_place *at);

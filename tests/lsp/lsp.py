@@ -1,14 +1,14 @@
 # A client of `vs lsp`: lsp.py VS FOLDER ONLY. Prints `ok NAME`, or `not ok NAME` and its reasons.
-import json, pathlib, random, re, subprocess, sys, threading
+import json, os, pathlib, random, re, subprocess, sys, time, urllib.request
 
 vs, work, only = sys.argv[1], pathlib.Path(sys.argv[2]), sys.argv[3]
 
 class Client:
-    def __init__(self, initialize=True):
+    def __init__(self, initialize=True, shows=False, environment=None):
         self.process = subprocess.Popen([vs, "lsp"], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                                        stderr=subprocess.PIPE)
+                                        stderr=subprocess.PIPE, env=environment)
         self.number, self.found = 0, {}
-        if initialize: self.capabilities = self.ask("initialize", {"capabilities": {}})["capabilities"]
+        if initialize: self.capabilities = self.ask("initialize", {"capabilities": {"window": {"showDocument": {"support": shows}}}})["capabilities"]
 
     def send(self, message):
         body = message if isinstance(message, bytes) else json.dumps(message).encode()
@@ -74,7 +74,6 @@ def words(text, span):
     return text[a:b]
 
 def result(name, reasons):
-    if only and only not in name: return
     print(f"not ok {name}" if reasons else f"ok {name}")
     for reason in reasons[:8]: print("    " + str(reason)[:600])
 
@@ -90,10 +89,14 @@ TEXT = '''; A row of towers.
 (draw (tower 3))
 '''
 
+def references(c, text):
+    c.open("file:///last.vs", text)
+    return c.at("references", "file:///last.vs", text, "(define ^x")
+
 def answers():
     reasons, c, uri = [], Client(), "file:///tmp/a%20model.vs"
-    for name in re.findall(r'LSP_REQUEST\("textDocument/(\w+)".*?\\"(\w+)\\":', pathlib.Path("cli/lsp/lsp_methods.def").read_text()):
-        if name[1] not in c.capabilities: reasons.append(f"{name[0]} is not announced")
+    for name in re.findall(r'LSP_REQUEST\("([\w/]+)",\s*\w+,\s*(?:"\\"(\w+)\\":|LSP_COLOURS)', pathlib.Path("cli/lsp/lsp_methods.def").read_text()):
+        if (name[1] or "semanticTokensProvider") not in c.capabilities: reasons.append(f"{name[0]} is not announced")
     expect(reasons, "findings of a sound text", c.open(uri, TEXT), [])
     hover = c.at("hover", uri, TEXT, "(to^wer 3")
     expect(reasons, "hover", "(tower n [width positive? 4])" in hover["contents"]["value"] and "Builds a tower" in hover["contents"]["value"], True)
@@ -111,6 +114,7 @@ def answers():
     expect(reasons, "completion", (len(box), words(TEXT, box[0]["textEdit"]["range"])), (1, "make-bo"))
     expect(reasons, "its signature", "(make-box" in box[0]["detail"], True)
     expect(reasons, "completion of a name of the program", [i["label"] for i in c.at("completion", uri, TEXT, "(tow^er 3")][0], "tower")
+    expect(reasons, "references to the last word", len(references(c, "(define x 1)\nx")), 2)
     help_ = c.at("signatureHelp", uri, TEXT, "(make-box origin ^width")
     first = help_["signatures"][0]
     expect(reasons, "signature", (first["label"].startswith("(make-box"), help_["activeParameter"]), (True, 1))
@@ -168,6 +172,178 @@ def findings():
     expect(reasons, "end", c.end()[0], 0)
     return reasons
 
+# Programs with a mistake, and the text that the action of its message makes: the first with advice, or that of the title.
+MENDED = [
+    ("(draw (make-bx origin 1 2 3))", "(draw (make-box origin 1 2 3))", None),
+    ("(draw (make-cilinder origin 3 1))", "(draw (make-cylinder origin 3 1))", None),
+    ("(draw (cylinder origin 3 1))", "(draw (make-cylinder origin 3 1))", None),
+    ("(draw (do-move (make-sphere origin 1) (xyz 1 2 3)))", "(draw (do-move (make-sphere origin 1) (vxyz 1 2 3)))", None),
+    ("(draw (make-sphere (list 0 1 0) 1))", "(draw (make-sphere (xyz 0 1 0) 1))", None),
+    ("(draw (make-box 1 2 3))", "(draw (make-box (xyz 0 0 0) (xyz 1 2 3)))", None),
+    ("(define i 1)\n(i++)\n(display i)", "(define i 1)\n(set! i (+ i 1))\n(display i)", None),
+    ("(define a 3)\n(display (list -a))", "(define a 3)\n(display (list (- a)))", None),
+    ("(define l (list 1 2))\n(display (list l.length))", "(define l (list 1 2))\n(display (list (length l)))", None),
+    ("(define p (xyz 1 2 3))\n(display (cx (p)))", "(define p (xyz 1 2 3))\n(display (cx p))", None),
+    ('(display (string-append "r = " 5))', '(display (string-append "r = " (number->string 5)))', None),
+    ("(draw (make-sphere origin 1 #:segment 8))", "(draw (make-sphere origin 1 #:segments 8))", None),
+    ("(draw (make-sphere origin 1 segments: 8))", "(draw (make-sphere origin 1 #:segments 8))", None),
+    ("(draw (do-rotate (make-box origin 1 1 1) 'z 45))", "(draw (do-rotate (make-box origin 1 1 1) 'z (degrees->radians 45)))", None),
+    ("(display (+ 1_000 1))", "(display (+ 1000 1))", None),
+    ("(setq x 5)\n(display x)", "(define x 5)\n(display x)", None),
+    ("(define (f x) (* 2 2))\n(draw (make-sphere origin (f 1)))", "(define (f _x) (* 2 2))\n(draw (make-sphere origin (f 1)))", None),
+    ("(define (f x) (* 2 2)) ; half\n(draw (make-sphere origin (f 1)))", "; check: allow unused-parameter\n(define (f x) (* 2 2)) ; half\n(draw (make-sphere origin (f 1)))", "Allow unused-parameter here"),
+    ("(define (f x) (* 2 2))\n(draw (make-sphere origin (f 1)))", "(define (f x) (* 2 2)) ; check: allow unused-parameter\n(draw (make-sphere origin (f 1)))", "Allow unused-parameter here"),
+    ("(draw (make-sphere origin 1,5))", "(draw (make-sphere origin 1.5))", None),
+    ("(draw (make-sphere origin 2)]", "(draw (make-sphere origin 2))", None),
+    ("(define (f x)\n  (let ([y x]\n    (* y x))\n(draw (make-sphere origin (f 1)))", None, None),
+    ("(define (f x)\n  (* x x)\n\n(draw (make-sphere origin (f 1)))\n", "(define (f x)\n  (* x x))\n\n(draw (make-sphere origin (f 1)))\n", None),
+    ("; ünder 😀\n(draw (make-bx origin 1 2 3)) ; 😀", "; ünder 😀\n(draw (make-box origin 1 2 3)) ; 😀", None),
+]
+
+def edited(text, edits):
+    for e in reversed(edits):
+        a, b = spanned(text, e["range"])
+        text = text[:a] + e["newText"] + text[b:]
+    return text
+
+def actions_of(c, uri, text):
+    found = c.open(uri, text)
+    return found, [a for d in found for a in c.ask("textDocument/codeAction", {"textDocument": {"uri": uri}, "range": d["range"], "context": {"diagnostics": [d]}})]
+
+# Each action removes the message for which it is, and adds none.
+def sound(reasons, c, uri, text, found, action):
+    edits = action["edit"]["changes"][uri]
+    after = c.change(uri, {"text": edited(text, edits)})
+    mark = lambda d: (d["code"], d["message"], d["range"]["start"]["line"])
+    if len(after) > len(found) and found[0]["code"] != "unreadable": reasons.append(f"{action['title']!r} in {text!r} adds {after}")
+    if [mark(d) for d in after] == [mark(d) for d in found]: reasons.append(f"{action['title']!r} in {text!r} changes nothing")
+    if action["diagnostics"][0] not in found: reasons.append(f"{action['title']!r} in {text!r} is for {action['diagnostics']}")
+
+def actions():
+    reasons, c, uri = [], Client(), "file:///tmp/a.vs"
+    for text, want, title in MENDED:
+        found, all_ = actions_of(c, uri, text)
+        picked = [a for a in all_ if (a["title"] == title if title else not a["title"].startswith("Allow"))]
+        got = edited(text, picked[0]["edit"]["changes"][uri]) if picked else None
+        expect(reasons, repr(text), got, want)
+        for a in all_: sound(reasons, c, uri, text, found, a)
+    c.open(uri, MENDED[0][0])
+    far = {"start": {"line": 0, "character": 0}, "end": {"line": 0, "character": 2}}
+    expect(reasons, "beside the message", c.ask("textDocument/codeAction", {"textDocument": {"uri": uri}, "range": far, "context": {"diagnostics": []}}), [])
+    slips, offered = [], 0
+    for path in sorted(pathlib.Path("tests/slips").glob("*.txt")):
+        if path.name != "open.txt": slips += re.findall(r"^## .*\n((?:(?!@|=> |## ).*\n)+)=> ", path.read_text(), re.M)
+    if not os.environ.get("LONG"): slips = slips[::12]
+    for text in slips:
+        found, all_ = actions_of(c, uri, text)
+        offered += any(not a["title"].startswith("Allow") for a in all_)
+        for a in all_: sound(reasons, c, uri, text, found, a)
+    if offered < len(slips) // 12: reasons.append(f"only {offered} of {len(slips)} slips have an action")
+    if os.environ.get("TELL"): print(f"# {offered} of {len(slips)} slips have an action")
+    expect(reasons, "end", c.end(), (0, (b"", b"")))
+    return reasons
+
+# The words of a text with their meanings and marks; they are in order and do not overlap.
+def meanings(reasons, c, uri, text):
+    c.open(uri, text)
+    data = c.ask("textDocument/semanticTokens/full", {"textDocument": {"uri": uri}})["data"]
+    legend = c.capabilities["semanticTokensProvider"]["legend"]
+    line, unit, end, out = 0, 0, 0, []
+    for i in range(0, len(data), 5):
+        lines, units, length, kind, marks = data[i:i + 5]
+        line, unit = line + lines, units + (unit if not lines else 0)
+        a, b = spanned(text, {"start": {"line": line, "character": unit}, "end": {"line": line, "character": unit + length}})
+        if a < end or b <= a or "\n" in text[a:b] or "\r" in text[a:b]: reasons.append(f"{uri}:{line + 1}: {text[a:b]!r} at {a}, after {end}")
+        end = b
+        out.append((text[a:b], legend["tokenTypes"][kind], {m for n, m in enumerate(legend["tokenModifiers"]) if marks >> n & 1}))
+    return out
+
+def colours():
+    reasons, c, uri = [], Client(), "file:///tmp/c.vs"
+    words_ = meanings(reasons, c, uri, TEXT + '(set! height 4) (display \'größe #:k "a\n\nb" #t)\n#| two\r\n lines |#')
+    first = {}
+    for text, kind, marks in words_: first.setdefault(text, (kind, marks))
+    for text, kind, *marks in (("; A row of towers.", "comment"), ("define", "keyword"), ("height", "variable", "declaration"),
+                               ("3", "number"), ("; 😀 in metres", "comment"), ("tower", "function", "declaration"), ("n", "parameter", "declaration"),
+                               ("positive?", "function", "defaultLibrary"), ("größe", "variable", "declaration"), ('"😀"', "string"), ("origin", "variable", "defaultLibrary"),
+                               ("make-box", "function", "defaultLibrary"), ("#:k", "property"), ('"a', "string"), ('b"', "string"), ("#| two", "comment"), (" lines |#", "comment")):
+        expect(reasons, text, first.get(text), (kind, set(marks)))
+    expect(reasons, "an assignment", ("height", "variable", {"modification"}) in words_, True)
+    expect(reasons, "a quoted name", ("größe", "enumMember", set()) in words_, True)
+    c.open(uri, "(f")
+    expect(reasons, "an open bracket", "error" in c.ask("textDocument/semanticTokens/full", {"textDocument": {"uri": uri}}, True), True)
+    paths = sorted(p for p in pathlib.Path(".").glob("examples/**/*") if p.suffix in (".vs", ".js"))
+    for path in paths if os.environ.get("LONG") else paths[::6]:
+        text = path.read_bytes().decode()
+        try: found = meanings(reasons, c, path.resolve().as_uri(), text)
+        except KeyError: reasons.append(f"{path} has no colours")
+        else:
+            if not any(k == "function" for _, k, _ in found): reasons.append(f"{path} lacks words: {found[:20]}")
+    expect(reasons, "end", c.end(), (0, (b"", b"")))
+    return reasons
+
+# The lens starts one live view of a file, whose address the editor shows; the view ends with the server.
+def lens():
+    reasons, model = [], work / "ä model.vs"
+    text = "(define r 1)\n; 😀\n  (draw (make-sphere origin r))\n"
+    model.write_text(text)
+    for shows in (True, False):
+        browser = work / "browser"
+        browser.write_text(f'#!/bin/sh\necho "$1" >> "{work}/address"\n')
+        browser.chmod(0o755)
+        c = Client(shows=shows, environment={**os.environ, "BROWSER": str(browser)})
+        uri = model.as_uri()
+        c.open(uri, text)
+        lens, = c.ask("textDocument/codeLens", {"textDocument": {"uri": uri}})
+        expect(reasons, "place of the lens", (words(text, lens["range"]), lens["range"]["start"]["line"]), ("draw", 2))
+        call = {"command": lens["command"]["command"], "arguments": lens["command"]["arguments"]}
+        address = c.ask("workspace/executeCommand", call)
+        page = urllib.request.urlopen(address.split("#")[0], timeout=20).read()
+        expect(reasons, "the page", b"<html" in page.lower(), True)
+        if shows: expect(reasons, "shown", c.receive()["params"], {"external": True, "uri": address})
+        expect(reasons, "a second time", c.ask("workspace/executeCommand", call), address)
+        if shows: expect(reasons, "shown again", c.receive()["params"], {"external": True, "uri": address})
+        m = c.ask("workspace/executeCommand", {**call, "arguments": ["untitled:x"]}, True)
+        expect(reasons, "a text without a file", "error" in m, True)
+        expect(reasons, "end", c.end(), (0, (b"", b"")))
+        try: urllib.request.urlopen(address.split("#")[0], timeout=5); reasons.append("the view goes on after the server's end")
+        except OSError: pass
+    for _ in range(100):
+        if (work / "address").exists(): break
+        time.sleep(0.05)
+    expect(reasons, "the browser's address", (work / "address").read_text().split(), [address])
+    c = Client()
+    c.open("file:///l.vs", "(define (f) 1)\n")
+    expect(reasons, "a library has no lens", c.ask("textDocument/codeLens", {"textDocument": {"uri": "file:///l.vs"}}), [])
+    c.end()
+    return reasons
+
+# Processor time of the server for a text of 500 lines, in seconds.
+def speed():
+    reasons, c, uri = [], Client(), "file:///tower.vs"
+    storey = """(define (storey-{0} width height [turn any? 0])
+  (let* ([foot (make-box origin width width height)]
+         [band (make-box (xyz 0 0 height) width width (* 0.1 height))])
+    (do-rotate (unite foot band) 'z turn)))
+(draw (do-move (storey-{0} 4 3) (vxyz 0 0 (* 3 {0}))))
+"""
+    c.open(uri, "".join(storey.format(i) for i in range(100)))
+    place = {"line": 1, "character": 25}
+    def spent(act):
+        used = lambda: sum(map(int, pathlib.Path(f"/proc/{c.process.pid}/stat").read_text().rsplit(")", 1)[1].split()[11:13])) / os.sysconf("SC_CLK_TCK")
+        before = used()
+        for _ in range(10): act()
+        return (used() - before) / 10
+    slow = 10 if os.environ.get("SLOW") else 1  # a build with sanitizers
+    for name, most, act in (("diagnostics", 0.2, lambda: c.change(uri, {"range": {"start": place, "end": place}, "text": " "})),
+                            ("completion", 0.05, lambda: c.ask("textDocument/completion", {"textDocument": {"uri": uri}, "position": {"line": 1, "character": 23 + 7}})),
+                            ("colours", 0.1, lambda: c.ask("textDocument/semanticTokens/full", {"textDocument": {"uri": uri}}))):
+        time_ = spent(act)
+        if time_ > most * slow: reasons.append(f"{name} takes {1000 * time_:.0f} ms of processor time, more than {1000 * most:.0f}")
+        if os.environ.get("TELL"): print(f"# {name}: {1000 * time_:.0f} ms")
+    c.end()
+    return reasons
+
 # Random edits in a text with every kind of line end and with characters of one to four bytes: the server's text, as its
 # formatting and its completion show it, is the client's.
 def edits():
@@ -221,6 +397,7 @@ def wrong():
     expect(reasons, "a length without end", code(b"Content-Length: 99999999999999999999\r\n\r\n{"), 0)
     return reasons
 
-for test in (answers, findings, edits, wrong):
+for test in (answers, findings, actions, colours, lens, speed, edits, wrong):
+    if only and only not in "lsp/" + test.__name__: continue
     try: result("lsp/" + test.__name__, test())
     except Exception as e: result("lsp/" + test.__name__, [repr(e)])

@@ -1,0 +1,89 @@
+/* Writes texts, places and diagnostics of the language server, and finds words. */
+#include "cli/lsp/lsp_words.h"
+
+#include <string.h>
+
+#include "languages/analysis/notation.h"
+
+/* ---- words ---- */
+
+bool lsp_ends_word(char c) { return strchr(" \t\r\n()[]{}\"';`,", c) != NULL; }
+
+size_t lsp_word(const char *at, const char *end) {
+  size_t n = 0;
+  while (at + n < end && !lsp_ends_word(at[n])) n++;
+  return n;
+}
+
+/* ---- places ---- */
+
+void lsp_put(FILE *to, const char *text) { know_json_text(to, text, strlen(text)); }
+
+void lsp_put_range(FILE *to, const char *key, const char *text, size_t length, lsp_span span) {
+  lsp_position a = lsp_position_of(text, length, span.from), b = lsp_position_of(text, length, span.to);
+  fprintf(to, "\"%s\":{\"start\":{\"line\":%u,\"character\":%u},\"end\":{\"line\":%u,\"character\":%u}}", key,
+          (unsigned)a.line, (unsigned)a.character, (unsigned)b.line, (unsigned)b.character);
+}
+
+void lsp_put_node_range(FILE *to, const char *key, const knowledge *k, know_index node) {
+  const know_place *at = &know_at(k, node)->at;
+  lsp_put_range(to, key, k->files[at->file].text, k->files[at->file].size, (lsp_span){ at->from, at->to });
+}
+
+void lsp_put_location(FILE *to, const knowledge *k, know_index node) {
+  fputs("{\"uri\":", to);
+  lsp_write_uri(to, k->files[know_at(k, node)->at.file].path);
+  fputc(',', to);
+  lsp_put_node_range(to, "range", k, node);
+  fputc('}', to);
+}
+
+static lsp_position position_at(const lsp_json_reader *json, lsp_json position) {
+  return (lsp_position){ (uint32_t)lsp_json_number(json, position, "line", 0),
+                         (uint32_t)lsp_json_number(json, position, "character", 0) };
+}
+
+lsp_span lsp_range_of(const lsp_json_reader *json, const lsp_document *d, lsp_json range) {
+  lsp_position from = position_at(json, lsp_json_at(json, range, "start"));
+  lsp_position to = position_at(json, lsp_json_at(json, range, "end"));
+  return (lsp_span){ (uint32_t)lsp_offset(d->text, d->length, from), (uint32_t)lsp_offset(d->text, d->length, to) };
+}
+
+/* ---- diagnostics ---- */
+
+static const char *const check_names[] = {
+#define KNOW_CHECK(id, name, meaning) name,
+#include "languages/checks/checks.def"
+};
+
+const char *lsp_check_name(unsigned check) { return check_names[check]; }
+
+lsp_span lsp_finding_span(const lsp_document *d, const know_finding *f) {
+  return f->at.to > f->at.from ? (lsp_span){ f->at.from, f->at.to } : lsp_place(d->text, d->length, &f->at);
+}
+
+void lsp_write_diagnostic(FILE *to, const lsp_document *d, const know_finding *f) {
+  fputc('{', to);
+  lsp_put_range(to, "range", d->text, d->length,
+                f ? lsp_finding_span(d, f) : lsp_place(d->text, d->length, &d->draft.at));
+  fprintf(to, ",\"severity\":%d,\"source\":\"vs\",\"code\":", f ? 2 : 1);
+  lsp_put(to, f ? check_names[f->check] : "unreadable");
+  fputs(",\"message\":", to);
+  lsp_put(to, f ? f->details : d->draft.message);
+  fputc('}', to);
+}
+
+void lsp_write_diagnostics(FILE *to, lsp_document *d, const vs_options *interpreter) {
+  const char *comma = "";
+  fputc('[', to);
+  bool known = !know_reads(d->path) || lsp_document_study(d, interpreter);
+  if (!known) lsp_write_diagnostic(to, d, NULL);
+  for (size_t i = 0; known && i < d->draft.found.count; i++) {
+    const know_finding *f = &d->draft.found.at[i];
+    if (f->at.file) continue;
+    fputs(comma, to);
+    lsp_write_diagnostic(to, d, f);
+    comma = ",";
+  }
+  fputc(']', to);
+}

@@ -1,0 +1,27 @@
+/* Declares texts, places and diagnostics of the language server. */
+#ifndef VS_CLI_LSP_LSP_WORDS_H
+#define VS_CLI_LSP_LSP_WORDS_H
+
+#include "cli/lsp/json_input.h"
+#include "cli/lsp/lsp_document.h"
+#include "languages/analysis/source_tree.h"
+
+bool lsp_ends_word(char c); /* returns true for a blank, a parenthesis or a mark of quotation */
+size_t lsp_word(const char *at, const char *end); /* returns the length of the word at `at` */
+
+void lsp_put(FILE *to, const char *text); /* writes a JSON text */
+/* Writes "key":{...}, the places of the span's ends. */
+void lsp_put_range(FILE *to, const char *key, const char *text, size_t length, lsp_span span);
+void lsp_put_node_range(FILE *to, const char *key, const knowledge *k, know_index node);
+void lsp_put_location(FILE *to, const knowledge *k, know_index node);
+/* Returns the bytes of a range that the editor sent. */
+lsp_span lsp_range_of(const lsp_json_reader *json, const lsp_document *d, lsp_json range);
+
+const char *lsp_check_name(unsigned check);
+lsp_span lsp_finding_span(const lsp_document *d, const know_finding *f);
+/* Writes the finding or, for NULL, the first error of a text that cannot be read. */
+void lsp_write_diagnostic(FILE *to, const lsp_document *d, const know_finding *f);
+/* Writes the findings in the document, or its first error, as a list of diagnostics. */
+void lsp_write_diagnostics(FILE *to, lsp_document *d, const vs_options *interpreter);
+
+#endif
