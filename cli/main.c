@@ -18,6 +18,7 @@
 #include "cli/help_command.h"
 #include "cli/prompt/repl.h"
 #include "cli/lsp/language_server.h"
+#include "cli/mcp/mcp_server.h"
 #include "cli/limits.h"
 #include "cli/nearby.h"
 #include "cli/prompt/standard_output.h"
@@ -550,6 +551,8 @@ static int run_alone(cli_options *o) {
   return fflush(stdout) == 0 && !ferror(stdout) ? code : VS_OUTCOME_USAGE;
 }
 
+static int run_words(int argc, char **argv);
+
 /* Runs the command. Returns the exit code. Sets *told if a failure of standard output was reported. */
 static int run_command(int argc, char **argv, bool *told) {
   if (argc >= 3 && strcmp(argv[1], "help") == 0) return cli_help_command(argc - 2, argv + 2);
@@ -587,6 +590,12 @@ static int run_command(int argc, char **argv, bool *told) {
     cli_options_free(&options);
     return (int)outcome;
   }
+  if (options.command == CLI_COMMAND_mcp) {
+    hear_signals();
+    vs_outcome outcome = cli_mcp_server(&options, &interrupts, run_words);
+    cli_options_free(&options);
+    return (int)outcome;
+  }
   if (options.command == CLI_COMMAND_format) {
     vs_outcome outcome = cli_format_command(&options);
     cli_options_free(&options);
@@ -608,13 +617,18 @@ static int run_command(int argc, char **argv, bool *told) {
   return code;
 }
 
+/* Runs the command, and ends standard output. Returns the exit code. */
+static int run_words(int argc, char **argv) {
+  bool told = false;
+  int code = run_command(argc, argv, &told);
+  return cli_output_end(code, told);
+}
+
 int main(int argc, char **argv) {
   hold_standard_streams();
   /* Ignores signals, so that a write to a pipe without a reader, or beyond the largest permitted file size, fails
    * instead of ending the process. Outputs are then completed or removed, and the exit code shows the failure. */
   signal(SIGPIPE, SIG_IGN);
   signal(SIGXFSZ, SIG_IGN);
-  bool told = false;
-  int code = run_command(argc, argv, &told);
-  return cli_output_end(code, told);
+  return run_words(argc, argv);
 }

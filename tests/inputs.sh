@@ -96,6 +96,7 @@ cp sky.exr a.exr
 for command in $(sed -n 's/^COMMAND(\([a-z]*\),.*/\1/p' "$root/cli/commands.def"); do
   case $command in
   help|ast|check|params|test|view|pick|lsp) ;; # write no file
+  mcp) ;; # it exports as vs FILE does: the suite mcp tests that no program is replaced
   format) ;; # its output is its input: the suite format tests that nothing is lost
   doc) ln -s ../m.js sub/index.html; echo 'box(point(0,0,0), 1, 1, 1);' > m.js; cp m.js plain.js
     "$vs" doc m.js -o sub > /dev/null 2>&1; [ $? = 2 ] && cmp -s m.js plain.js || echo "doc: replaces the program" >> "$work/wrong" ;;

@@ -58,11 +58,11 @@ static void message_send(message *m) {
   free(m->text);
 }
 
-static void send_error(server *v, lsp_json id, int code, const char *why) {
+static void send_error(server *v, cli_data id, int code, const char *why) {
   message m;
   if (!message_begin(&m)) return;
   fputs("\"id\":", m.to);
-  lsp_json_echo(&v->s.json, id, m.to);
+  cli_data_echo(&v->s.json, id, m.to);
   fprintf(m.to, ",\"error\":{\"code\":%d,\"message\":", code);
   know_json_text(m.to, why, strlen(why));
   fputc('}', m.to);
@@ -83,11 +83,11 @@ static void show(server *v) {
 }
 
 /* Sends the result of a request, or the reason why there is none. */
-static void send_result(server *v, lsp_json id, lsp_json parameters, lsp_answer *answer) {
+static void send_result(server *v, cli_data id, cli_data parameters, lsp_answer *answer) {
   message m;
   if (!message_begin(&m)) return;
   fputs("\"id\":", m.to);
-  lsp_json_echo(&v->s.json, id, m.to);
+  cli_data_echo(&v->s.json, id, m.to);
   fputs(",\"result\":", m.to);
   v->s.to = m.to, v->s.refused = NULL;
   answer(&v->s, parameters);
@@ -103,8 +103,8 @@ static void send_result(server *v, lsp_json id, lsp_json parameters, lsp_answer 
 
 /* ---- the life of the server ---- */
 
-static void answer_initialize(lsp_server *s, lsp_json parameters) {
-  s->shows = lsp_json_true(&s->json, parameters, "capabilities.window.showDocument.support");
+static void answer_initialize(lsp_server *s, cli_data parameters) {
+  s->shows = cli_data_true(&s->json, parameters, "capabilities.window.showDocument.support");
   fputs("{\"capabilities\":{\"positionEncoding\":\"utf-16\","
         "\"textDocumentSync\":{\"openClose\":true,\"change\":2}", s->to);
 #define LSP_REQUEST(method, function, capability) fputs("," capability, s->to);
@@ -112,7 +112,7 @@ static void answer_initialize(lsp_server *s, lsp_json parameters) {
   fputs("},\"serverInfo\":{\"name\":\"vs\",\"version\":\"" VS_VERSION "\"}}", s->to);
 }
 
-static void answer_null(lsp_server *s, lsp_json parameters) {
+static void answer_null(lsp_server *s, cli_data parameters) {
   (void)parameters;
   fputs("null", s->to);
 }
@@ -135,10 +135,10 @@ static void drop(lsp_server *s, lsp_document *d) {
   lsp_document_free(d);
 }
 
-static void lsp_did_open(lsp_server *s, lsp_json parameters) {
+static void lsp_did_open(lsp_server *s, cli_data parameters) {
   size_t length = 0;
-  const char *uri = lsp_json_text(&s->json, parameters, "textDocument.uri", NULL);
-  const char *text = lsp_json_text(&s->json, parameters, "textDocument.text", &length);
+  const char *uri = cli_data_text(&s->json, parameters, "textDocument.uri", NULL);
+  const char *text = cli_data_text(&s->json, parameters, "textDocument.text", &length);
   lsp_document *old = lsp_find(s, parameters);
   if (!uri || !text || !VS_GROW(s->documents, s->room, s->count + 1)) return;
   lsp_document *d = lsp_document_open(uri, text, length);
@@ -148,15 +148,15 @@ static void lsp_did_open(lsp_server *s, lsp_json parameters) {
   publish(s, d, false);
 }
 
-static void lsp_did_change(lsp_server *s, lsp_json parameters) {
+static void lsp_did_change(lsp_server *s, cli_data parameters) {
   lsp_document *d = lsp_find(s, parameters);
-  lsp_json changes = lsp_json_at(&s->json, parameters, "contentChanges");
-  for (size_t i = 0; d && i < lsp_json_count(&s->json, changes); i++) {
-    lsp_json change = lsp_json_nth(&s->json, changes, i);
+  cli_data changes = cli_data_at(&s->json, parameters, "contentChanges");
+  for (size_t i = 0; d && i < cli_data_count(&s->json, changes); i++) {
+    cli_data change = cli_data_nth(&s->json, changes, i);
     size_t length = 0, from = 0, to = d->length;
-    const char *text = lsp_json_text(&s->json, change, "text", &length);
-    if (lsp_json_at(&s->json, change, "range")) {
-      lsp_span span = lsp_range_of(&s->json, d, lsp_json_at(&s->json, change, "range"));
+    const char *text = cli_data_text(&s->json, change, "text", &length);
+    if (cli_data_at(&s->json, change, "range")) {
+      lsp_span span = lsp_range_of(&s->json, d, cli_data_at(&s->json, change, "range"));
       from = span.from, to = span.to;
     }
     if (text) lsp_document_edit(d, from, to, text, length);
@@ -164,7 +164,7 @@ static void lsp_did_change(lsp_server *s, lsp_json parameters) {
   if (d) publish(s, d, false);
 }
 
-static void lsp_did_close(lsp_server *s, lsp_json parameters) {
+static void lsp_did_close(lsp_server *s, cli_data parameters) {
   lsp_document *d = lsp_find(s, parameters);
   if (!d) return;
   publish(s, d, true);
@@ -179,9 +179,9 @@ static const method methods[] = {
   { "shutdown", answer_null, false },
 };
 
-static void handle(server *v, lsp_json m) {
-  const char *name = lsp_json_text(&v->s.json, m, "method", NULL);
-  lsp_json id = lsp_json_at(&v->s.json, m, "id"), parameters = lsp_json_at(&v->s.json, m, "params");
+static void handle(server *v, cli_data m) {
+  const char *name = cli_data_text(&v->s.json, m, "method", NULL);
+  cli_data id = cli_data_at(&v->s.json, m, "id"), parameters = cli_data_at(&v->s.json, m, "params");
   if (!name) return; /* a message without a method is an answer of the editor to the server, which has asked nothing */
   if (!strcmp(name, "exit")) {
     v->ended = true;
@@ -212,17 +212,17 @@ vs_outcome cli_language_server(const cli_options *o) {
   vs_options interpreter = o->interpreter;
   interpreter.host = (vs_host){ .diagnose = ignore };
   size_t length = 0;
-  if (!lsp_json_open(&v.s.json)) {
+  if (!cli_data_open(&v.s.json)) {
     fprintf(stderr, "vs lsp: %s\n", v.s.json.trouble);
-    lsp_json_close(&v.s.json);
+    cli_data_close(&v.s.json);
     return VS_OUTCOME_WORKER;
   }
   v.s.language = vs_new(&interpreter);
   while (v.s.language && !v.ended && !ferror(stdout) && receive(&v, &length)) {
-    lsp_json m = lsp_json_read(&v.s.json, v.body, length);
+    cli_data m = cli_data_read(&v.s.json, v.body, length);
     if (m) handle(&v, m);
     else send_error(&v, NULL, BAD_JSON, "this message is no JSON");
-    lsp_json_free(&v.s.json, m);
+    cli_data_free(&v.s.json, m);
   }
   vs_outcome outcome = !v.s.language ? VS_OUTCOME_MACHINE : v.ended && !v.shut ? VS_OUTCOME_MODEL : VS_OUTCOME_DONE;
   if (!v.s.language) fputs("vs: out of memory\n", stderr);
@@ -231,6 +231,6 @@ vs_outcome cli_language_server(const cli_options *o) {
   lsp_views_end(&v.s);
   free(v.s.documents);
   free(v.body);
-  lsp_json_close(&v.s.json);
+  cli_data_close(&v.s.json);
   return outcome;
 }

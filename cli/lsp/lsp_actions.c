@@ -280,12 +280,12 @@ static void mend(remedy *r) {
   if (f->check != KNOW_CHECK_SYNTAX) offer_comment(r, lsp_check_name(f->check));
 }
 
-void lsp_actions(lsp_server *s, lsp_json parameters) {
+void lsp_actions(lsp_server *s, cli_data parameters) {
   lsp_document *d = lsp_find(s, parameters);
   fputc('[', s->to);
   if (d && know_reads(d->path)) {
     bool known = lsp_document_study(d, s->interpreter);
-    lsp_span asked = lsp_range_of(&s->json, d, lsp_json_at(&s->json, parameters, "range"));
+    lsp_span asked = lsp_range_of(&s->json, d, cli_data_at(&s->json, parameters, "range"));
     remedy r = { .s = s, .d = d, .comma = "" };
     r.at = lsp_place(d->text, d->length, &d->draft.at);
     if (!known && touches(r.at, asked)) mend(&r);

@@ -17,19 +17,19 @@ lsp_document *lsp_find_uri(const lsp_server *s, const char *uri) {
   return NULL;
 }
 
-lsp_document *lsp_find(const lsp_server *s, lsp_json parameters) {
-  return lsp_find_uri(s, lsp_json_text(&s->json, parameters, "textDocument.uri", NULL));
+lsp_document *lsp_find(const lsp_server *s, cli_data parameters) {
+  return lsp_find_uri(s, cli_data_text(&s->json, parameters, "textDocument.uri", NULL));
 }
 
-static size_t offset_of(const lsp_server *s, const lsp_document *d, lsp_json parameters) {
-  long long line = lsp_json_number(&s->json, parameters, "position.line", 0);
-  long long character = lsp_json_number(&s->json, parameters, "position.character", 0);
+static size_t offset_of(const lsp_server *s, const lsp_document *d, cli_data parameters) {
+  long long line = cli_data_number(&s->json, parameters, "position.line", 0);
+  long long character = cli_data_number(&s->json, parameters, "position.character", 0);
   return lsp_offset(d->text, d->length, (lsp_position){ (uint32_t)line, (uint32_t)character });
 }
 
 /* Returns the symbol (a name with its definition) at the position of the request, or 0. Sets *node to the name's node,
  * and *k to the analysis of the text. */
-static know_index asked(lsp_server *s, lsp_json parameters, knowledge **k, know_index *node) {
+static know_index asked(lsp_server *s, cli_data parameters, knowledge **k, know_index *node) {
   lsp_document *d = lsp_find(s, parameters);
   if (!d || !lsp_document_study(d, s->interpreter)) return 0;
   *k = &d->draft.k;
@@ -74,7 +74,7 @@ static void add_symbol(FILE *to, const knowledge *k, know_index symbol) {
   if (n > 2) fprintf(to, "%.*s", (int)n - 2, text + 1);
 }
 
-void lsp_hover(lsp_server *s, lsp_json parameters) {
+void lsp_hover(lsp_server *s, cli_data parameters) {
   knowledge *k = NULL;
   know_index node = 0, symbol = asked(s, parameters, &k, &node);
   char *text = NULL;
@@ -138,7 +138,7 @@ static void complete_symbols(completion *c, const char *prefix) {
   }
 }
 
-void lsp_completion(lsp_server *s, lsp_json parameters) {
+void lsp_completion(lsp_server *s, cli_data parameters) {
   lsp_document *d = lsp_find(s, parameters);
   if (!d) {
     fputs("[]", s->to);
@@ -180,7 +180,7 @@ static void put_signature(FILE *to, const char *call, size_t length, const char 
   fputs("]}", to);
 }
 
-void lsp_signature(lsp_server *s, lsp_json parameters) {
+void lsp_signature(lsp_server *s, cli_data parameters) {
   lsp_document *d = lsp_find(s, parameters);
   size_t offset = d ? offset_of(s, d, parameters) : 0;
   cli_call call = { .argument = -1 };
@@ -214,14 +214,14 @@ void lsp_signature(lsp_server *s, lsp_json parameters) {
 
 /* ---- places of a name ---- */
 
-void lsp_definition(lsp_server *s, lsp_json parameters) {
+void lsp_definition(lsp_server *s, cli_data parameters) {
   knowledge *k = NULL;
   know_index node = 0, symbol = asked(s, parameters, &k, &node);
   if (symbol && k->symbols[symbol].definition) lsp_put_location(s->to, k, k->symbols[symbol].definition);
   else fputs("null", s->to);
 }
 
-void lsp_references(lsp_server *s, lsp_json parameters) {
+void lsp_references(lsp_server *s, cli_data parameters) {
   knowledge *k = NULL;
   know_index node = 0, symbol = asked(s, parameters, &k, &node);
   const char *comma = "";
@@ -267,10 +267,10 @@ static bool same_meaning(const cli_draft *a, const cli_draft *b) {
 }
 
 /* Renames a symbol, if an analysis of the new text still finds the same definition for every name. */
-void lsp_rename(lsp_server *s, lsp_json parameters) {
+void lsp_rename(lsp_server *s, cli_data parameters) {
   knowledge *k = NULL;
   know_index node = 0, symbol = asked(s, parameters, &k, &node);
-  const char *name = lsp_json_text(&s->json, parameters, "newName", NULL);
+  const char *name = cli_data_text(&s->json, parameters, "newName", NULL);
   lsp_document *d = lsp_find(s, parameters);
   s->refused = "there is no name of the program here";
   if (!symbol || !name || !k->symbols[symbol].definition) return;
@@ -304,7 +304,7 @@ void lsp_rename(lsp_server *s, lsp_json parameters) {
 
 /* ---- the whole text ---- */
 
-void lsp_outline(lsp_server *s, lsp_json parameters) {
+void lsp_outline(lsp_server *s, cli_data parameters) {
   lsp_document *d = lsp_find(s, parameters);
   const knowledge *k = d && lsp_document_study(d, s->interpreter) ? &d->draft.k : NULL;
   const char *comma = "";
@@ -327,7 +327,7 @@ void lsp_outline(lsp_server *s, lsp_json parameters) {
   fputc(']', s->to);
 }
 
-void lsp_formatting(lsp_server *s, lsp_json parameters) {
+void lsp_formatting(lsp_server *s, cli_data parameters) {
   lsp_document *d = lsp_find(s, parameters);
   if (!d || vs_language_of(d->path) || !lsp_document_study(d, s->interpreter)) {
     fputs("[]", s->to);

@@ -2,14 +2,14 @@
 #ifndef VS_CLI_LSP_LSP_ANSWERS_H
 #define VS_CLI_LSP_LSP_ANSWERS_H
 
-#include "cli/lsp/json_input.h"
+#include "cli/json_data.h"
 #include "cli/lsp/lsp_document.h"
 #include "languages/analysis/source_tree.h"
 
 typedef struct { char *path, address[160]; int process; } lsp_view;
 
 typedef struct {
-  lsp_json_reader json;
+  cli_data_reader json;
   const vs_options *interpreter;
   vs_scheme *language;       /* an interpreter that has run no program, which provides the names of the language */
   lsp_document **documents; size_t count, room; /* array of pointers to documents, which are separate blocks, since
@@ -23,18 +23,18 @@ typedef struct {
 
 /* The function that answers a request. It writes its result to s->to: one JSON value. If it sets s->refused, the result
  * is not sent. The rows of lsp_methods.def give the function for each method. */
-typedef void lsp_answer(lsp_server *s, lsp_json parameters);
-void lsp_completion(lsp_server *s, lsp_json parameters);
-void lsp_hover(lsp_server *s, lsp_json parameters);
-void lsp_signature(lsp_server *s, lsp_json parameters);
-void lsp_definition(lsp_server *s, lsp_json parameters);
-void lsp_references(lsp_server *s, lsp_json parameters);
-void lsp_rename(lsp_server *s, lsp_json parameters);
-void lsp_outline(lsp_server *s, lsp_json parameters);
-void lsp_formatting(lsp_server *s, lsp_json parameters);
+typedef void lsp_answer(lsp_server *s, cli_data parameters);
+void lsp_completion(lsp_server *s, cli_data parameters);
+void lsp_hover(lsp_server *s, cli_data parameters);
+void lsp_signature(lsp_server *s, cli_data parameters);
+void lsp_definition(lsp_server *s, cli_data parameters);
+void lsp_references(lsp_server *s, cli_data parameters);
+void lsp_rename(lsp_server *s, cli_data parameters);
+void lsp_outline(lsp_server *s, cli_data parameters);
+void lsp_formatting(lsp_server *s, cli_data parameters);
 
 /* Return the document with this address, or with the one in the request's member textDocument; NULL: there is none. */
 lsp_document *lsp_find_uri(const lsp_server *s, const char *uri);
-lsp_document *lsp_find(const lsp_server *s, lsp_json parameters);
+lsp_document *lsp_find(const lsp_server *s, cli_data parameters);
 
 #endif

@@ -128,7 +128,7 @@ static void put_words(lsp_server *s, const knowledge *k) {
   free(all.at);
 }
 
-void lsp_colours(lsp_server *s, lsp_json parameters) {
+void lsp_colours(lsp_server *s, cli_data parameters) {
   lsp_document *d = lsp_find(s, parameters);
   bool known = d && know_reads(d->path) && lsp_document_study(d, s->interpreter);
   if (d && know_reads(d->path) && !known) { /* the editor keeps its colours while a form is open */

@@ -14,6 +14,6 @@
   "\"semanticTokensProvider\":{\"full\":true,\"legend\":{\"tokenTypes\":[\"namespace\"" LSP_MEANINGS(LSP_QUOTED) \
   "],\"tokenModifiers\":[\"definition\"" LSP_MARKS(LSP_QUOTED) "]}}"
 
-void lsp_colours(lsp_server *s, lsp_json parameters); /* an lsp_answer */
+void lsp_colours(lsp_server *s, cli_data parameters); /* an lsp_answer */
 
 #endif

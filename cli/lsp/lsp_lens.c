@@ -42,7 +42,7 @@ static know_index drawing_of(const knowledge *k) {
   return last;
 }
 
-void lsp_lens(lsp_server *s, lsp_json parameters) {
+void lsp_lens(lsp_server *s, cli_data parameters) {
   lsp_document *d = lsp_find(s, parameters);
   bool known = d && know_reads(d->path) && lsp_document_study(d, s->interpreter);
   know_index drawing = known ? drawing_of(&d->draft.k) : 0;
@@ -150,11 +150,11 @@ static lsp_view *start_view(lsp_server *s, const char *path) {
   return &s->views[s->view_count++];
 }
 
-void lsp_command(lsp_server *s, lsp_json parameters) {
-  const char *name = lsp_json_text(&s->json, parameters, "command", NULL);
-  lsp_json arguments = lsp_json_at(&s->json, parameters, "arguments");
-  const char *uri = lsp_json_count(&s->json, arguments)
-                        ? lsp_json_text(&s->json, lsp_json_nth(&s->json, arguments, 0), "", NULL) : NULL;
+void lsp_command(lsp_server *s, cli_data parameters) {
+  const char *name = cli_data_text(&s->json, parameters, "command", NULL);
+  cli_data arguments = cli_data_at(&s->json, parameters, "arguments");
+  const char *uri = cli_data_count(&s->json, arguments)
+                        ? cli_data_text(&s->json, cli_data_nth(&s->json, arguments, 0), "", NULL) : NULL;
   lsp_document *d = uri ? lsp_find_uri(s, uri) : NULL;
   s->refused = "vs lsp has no such command";
   if (!name || strcmp(name, LSP_SHOW_COMMAND)) return;

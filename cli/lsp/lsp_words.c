@@ -38,14 +38,14 @@ void lsp_put_location(FILE *to, const knowledge *k, know_index node) {
   fputc('}', to);
 }
 
-static lsp_position position_at(const lsp_json_reader *json, lsp_json position) {
-  return (lsp_position){ (uint32_t)lsp_json_number(json, position, "line", 0),
-                         (uint32_t)lsp_json_number(json, position, "character", 0) };
+static lsp_position position_at(const cli_data_reader *json, cli_data position) {
+  return (lsp_position){ (uint32_t)cli_data_number(json, position, "line", 0),
+                         (uint32_t)cli_data_number(json, position, "character", 0) };
 }
 
-lsp_span lsp_range_of(const lsp_json_reader *json, const lsp_document *d, lsp_json range) {
-  lsp_position from = position_at(json, lsp_json_at(json, range, "start"));
-  lsp_position to = position_at(json, lsp_json_at(json, range, "end"));
+lsp_span lsp_range_of(const cli_data_reader *json, const lsp_document *d, cli_data range) {
+  lsp_position from = position_at(json, cli_data_at(json, range, "start"));
+  lsp_position to = position_at(json, cli_data_at(json, range, "end"));
   return (lsp_span){ (uint32_t)lsp_offset(d->text, d->length, from), (uint32_t)lsp_offset(d->text, d->length, to) };
 }
 

@@ -2,7 +2,7 @@
 #ifndef VS_CLI_LSP_LSP_WORDS_H
 #define VS_CLI_LSP_LSP_WORDS_H
 
-#include "cli/lsp/json_input.h"
+#include "cli/json_data.h"
 #include "cli/lsp/lsp_document.h"
 #include "languages/analysis/source_tree.h"
 
@@ -15,7 +15,7 @@ void lsp_put_range(FILE *to, const char *key, const char *text, size_t length, l
 void lsp_put_node_range(FILE *to, const char *key, const knowledge *k, know_index node);
 void lsp_put_location(FILE *to, const knowledge *k, know_index node);
 /* Returns the bytes of a range that the editor sent. */
-lsp_span lsp_range_of(const lsp_json_reader *json, const lsp_document *d, lsp_json range);
+lsp_span lsp_range_of(const cli_data_reader *json, const lsp_document *d, cli_data range);
 
 const char *lsp_check_name(unsigned check);
 lsp_span lsp_finding_span(const lsp_document *d, const know_finding *f);
