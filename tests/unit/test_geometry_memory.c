@@ -11,6 +11,7 @@
 #include "geometry/measure/node_measures.h"
 #include "geometry/files/polyface.h"
 #include "geometry/plane/skeleton.h"
+#include "geometry/structure/structure.h"
 #include "geometry/tessellate.h"
 #include "tests/unit/allocator.h"
 #include "tests/unit/skip.h"
@@ -155,8 +156,43 @@ static void making_a_skeleton_fails_in_turn(void **state) {
   assert_true(tries > 20);
 }
 
+/* CHOLMOD, which is loaded when it is needed, takes its memory from the C library itself; ours fails. */
+static void solving_a_structure_fails_in_turn(void **state) {
+  (void)state;
+  if (!REPLACED) SKIP_TEST("a sanitizer has replaced the allocator");
+  const vs_vec3 at[] = { { 0, 0, 0 }, { 0, 0, 3 }, { 4, 0, 3 }, { 4, 0, 0 } };
+  vs_structure_member members[3];
+  for (uint32_t i = 0; i < 3; i++)
+    members[i] = (vs_structure_member){ .from = i, .to = i + 1, .area = 1e-3, .bend_y = 1e-6, .bend_z = 1e-6, .twist = 2e-6, .modulus = 210e9, .shear = 81e9 };
+  bool held_ways[4 * VS_WAYS] = { 0 }, loose[4], free_ways[4 * VS_WAYS] = { 0 };
+  for (size_t i = 0; i < VS_WAYS; i++) held_ways[i] = held_ways[3 * VS_WAYS + i] = free_ways[i < 3 ? i : 0] = true;
+  double loads[4 * VS_WAYS] = { 0 }, lines[9] = { 0, 0, -9 }, moved[4 * VS_WAYS], ends[3 * VS_MEMBER_WAYS], reactions[4 * VS_WAYS];
+  loads[VS_WAYS] = 1000;
+  vs_structure_state out = { moved, ends, reactions, loose };
+  for (int mechanism = 0; mechanism < 2; mechanism++) {
+    vs_structure s = { at, 4, members, 3, mechanism ? free_ways : held_ways, 1, loads, lines };
+    vs_structure_report report;
+    vs_error e = { 0 };
+    vs_structure_outcome wanted = mechanism ? VS_STRUCTURE_MOVES : VS_STRUCTURE_DONE, outcome = VS_STRUCTURE_FAILED;
+    if (vs_structure_solve(&s, &out, (vs_long_work){ 0 }, &report, &e) == VS_STRUCTURE_FAILED && e.kind == VS_ERROR_WORKER) SKIP_TEST("no CHOLMOD here");
+    size_t tries = 1;
+    for (; outcome != wanted; tries++) {
+      held = 0;
+      fail_at = tries;
+      outcome = vs_structure_solve(&s, &out, (vs_long_work){ 0 }, &report, &e);
+      fail_at = 0;
+      assert_true(outcome == wanted || (outcome == VS_STRUCTURE_FAILED && e.kind == VS_ERROR_MEMORY));
+      assert_int_equal(held, 0);
+      assert_true(tries < 5000);
+    }
+    assert_true(tries > 6);
+    if (mechanism) assert_int_equal(report.where, 3);
+    else assert_true(reactions[0] < 0 && moved[VS_WAYS] > 0);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = { cmocka_unit_test(every_allocation_fails_in_turn), cmocka_unit_test(making_a_polyface_fails_in_turn),
-                                      cmocka_unit_test(making_a_skeleton_fails_in_turn) };
+                                      cmocka_unit_test(making_a_skeleton_fails_in_turn), cmocka_unit_test(solving_a_structure_fails_in_turn) };
   return cmocka_run_group_tests_name("geometry short of memory", tests, NULL, NULL);
 }

@@ -1,0 +1,121 @@
+/* Implements the natives of frames, which library/visualscheme/analysis/ calls: structures are vectors of numbers. */
+#include "geometry/structure/structure.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "bind/build.h"
+#include "bind/call/call.h"
+#include "bind/call/refuse.h"
+#include "bind/call/scratch.h"
+#include "bind/call/take.h"
+#include "bind/measures.h"
+#include "bind/print.h"
+#include "vm/machine/fail.h"
+#include "vm/values/gc.h"
+
+enum { MEMBER_NUMBERS = 11 }; /* from, to, area, bend_y, bend_z, twist, modulus, shear, roll, two hinges */
+
+/* Returns the `count` numbers of a vector as an array of the call. Fails if the argument is not such a vector. */
+static double *numbers(vs_args *f, int argument, size_t count) {
+  vs_value v = f->arg[argument].value;
+  double *at = vs_bind_scratch(f, (count + 1) * sizeof *at);
+  if (!at) return NULL;
+  bool ok = vs_is_vector(v) && vs_as_vector(v)->length == count;
+  for (size_t i = 0; ok && i < count; i++)
+    ok = vs_bind_take_number(f->vm, vs_as_vector(v)->at[i], &at[i]) && isfinite(at[i]);
+  if (ok) return at;
+  vs_fail(f->vm, f->vm->sym.type, "argument %d must be a vector of %zu finite numbers", argument + 1, count);
+  return NULL;
+}
+
+static size_t vector_length(vs_value v) { return vs_is_vector(v) ? vs_as_vector(v)->length : 0; }
+
+/* Sets *out to a vector of these numbers. */
+static bool give_numbers(vs_args *f, const double *at, size_t count, vs_value *out) {
+  if (!vs_make_vector(f->vm, count, vs_fix(0), out)) return false;
+  for (size_t i = 0; i < count; i++) vs_as_vector(*out)->at[i] = vs_flonum(at[i]); /* flonums are no addresses */
+  return true;
+}
+
+static bool take_members(vs_args *f, size_t nodes, vs_structure *s) {
+  s->member_count = vector_length(f->arg[1].value) / MEMBER_NUMBERS;
+  const double *n = numbers(f, 1, s->member_count * MEMBER_NUMBERS);
+  vs_structure_member *m = vs_bind_scratch(f, (s->member_count + 1) * sizeof *m);
+  if (!n || !m) return false;
+  for (size_t i = 0; i < s->member_count; i++, n += MEMBER_NUMBERS) {
+    bool ok = n[0] >= 0 && n[0] < (double)nodes && n[1] >= 0 && n[1] < (double)nodes && n[2] > 0 && n[6] > 0;
+    if (!ok) return vs_fail(f->vm, f->vm->sym.range, "member %zu is none", i + 1), false;
+    m[i] = (vs_structure_member){ .from = (uint32_t)n[0], .to = (uint32_t)n[1], .area = n[2], .bend_y = n[3],
+                                  .bend_z = n[4], .twist = n[5], .modulus = n[6], .shear = n[7], .roll = n[8],
+                                  .hinged = { n[9] > 0, n[10] > 0 } };
+    if (vs_v3_equal(s->at[m[i].from], s->at[m[i].to]))
+      return vs_fail(f->vm, f->vm->sym.range, "member %zu has no length", i + 1), false;
+  }
+  s->members = m;
+  return true;
+}
+
+/* (%frame-solve points members held loads lines cases): takes the arguments that a structure needs. */
+static bool take_structure(vs_args *f, vs_structure *s) {
+  *s = (vs_structure){ .at = f->arg[0].points.at, .count = f->arg[0].points.count };
+  s->cases = (size_t)f->arg[5].integer;
+  size_t ways = s->count * VS_WAYS;
+  if (!take_members(f, s->count, s)) return false;
+  const double *held = numbers(f, 2, ways);
+  bool *holds = vs_bind_scratch(f, ways + 1);
+  if (!held || !holds) return false;
+  for (size_t i = 0; i < ways; i++) holds[i] = held[i] > 0;
+  s->held = holds;
+  return (s->loads = numbers(f, 3, ways * s->cases)) && (s->lines = numbers(f, 4, s->member_count * 3 * s->cases));
+}
+
+/* Sets the condition for a mechanism; then returns false. */
+static bool mechanism(vs_args *f, const vs_structure_report *report) {
+  double largest = 0, squares[2] = { 0, 0 };
+  for (int i = 0; i < VS_WAYS; i++) squares[i / 3] += report->motion[i] * report->motion[i];
+  bool path = squares[0] > 1e-9 * squares[1];
+  char text[3][32];
+  const double *d = report->motion + (path ? 0 : 3);
+  for (int i = 0; i < 3; i++)
+    if (fabs(d[i]) > fabs(largest)) largest = d[i];
+  for (int i = 0; i < 3; i++)
+    vs_bind_number_text(text[i], largest == 0 ? 0 : (round(d[i] / largest * 1000) + 0.0) / 1000);
+  vs_fail(f->vm, f->vm->sym.range,
+          "the frame is a mechanism: node %zu %s (vxyz %s %s %s), and nothing resists; add a support, a member or a "
+          "rigid joint",
+          report->where + 1, path ? "moves along" : "turns about", text[0], text[1], text[2]);
+  return false;
+}
+
+/* (%frame-solve points members held loads lines cases): returns a list of the movements, the ends' forces, the
+ * reactions, and the list of the numbers of loose nodes. */
+vs_status vs_p_frame_solve(vs_args *f, vs_value *out) {
+  vs_structure s;
+  vs_structure_report report = { 0 };
+  vs_error e = { 0 };
+  if (!take_structure(f, &s)) return VS_ERROR;
+  size_t ways = s.count * VS_WAYS * s.cases, ends = s.member_count * VS_MEMBER_WAYS * s.cases;
+  vs_structure_state state = { vs_bind_scratch(f, (ways + 1) * sizeof(double)),
+                               vs_bind_scratch(f, (ends + 1) * sizeof(double)),
+                               vs_bind_scratch(f, (ways + 1) * sizeof(double)), vs_bind_scratch(f, s.count + 1) };
+  if (!state.moved || !state.ends || !state.reactions || !state.loose) return VS_ERROR;
+  vs_long_work work = { vs_bind_keep_going, f->vm };
+  switch (vs_structure_solve(&s, &state, work, &report, &e)) {
+  case VS_STRUCTURE_MOVES: return mechanism(f, &report), VS_ERROR;
+  case VS_STRUCTURE_STOPPED: return VS_ERROR; /* the condition is already set */
+  case VS_STRUCTURE_FAILED: return vs_bind_error(f->vm, &e);
+  case VS_STRUCTURE_DONE: break;
+  }
+  VS_ROOTS(f->vm, r, 3);
+  r[0] = VS_NIL;
+  bool ok = true;
+  for (size_t n = s.count; ok && n-- > 0;)
+    if (state.loose[n]) ok = vs_cons(f->vm, vs_fix((int64_t)n + 1), r[0], &r[0]);
+  ok = ok && vs_cons(f->vm, r[0], VS_NIL, &r[1]) && give_numbers(f, state.reactions, ways, &r[0]) &&
+       vs_cons(f->vm, r[0], r[1], &r[1]) && give_numbers(f, state.ends, ends, &r[0]) &&
+       vs_cons(f->vm, r[0], r[1], &r[1]) && give_numbers(f, state.moved, ways, &r[0]) &&
+       vs_cons(f->vm, r[0], r[1], out);
+  return ok ? VS_OK : VS_ERROR;
+}

@@ -1,0 +1,212 @@
+/* Implements systems of linear equations by CHOLMOD (sparse_system.h).
+ *
+ * CHOLMOD makes L D L' of a small permuted matrix, and L L' of a large one, by its supernodal method. The pivots, the
+ * entries of D or the squares on the diagonal of L, tell whether the matrix is singular. The diagonal of D A D is 1;
+ * a pivot then is the share of a row that the rows before do not determine. */
+#include "geometry/structure/sparse_system.h"
+
+#include <limits.h>
+#include <math.h>
+#include <string.h>
+#include <suitesparse/cholmod.h>
+
+#include "geometry/dynamic.h"
+#include "model/store/array.h"
+
+#define CHOLMOD_CALLS(X)                                                                                              \
+  X(cholmod_start) X(cholmod_finish) X(cholmod_allocate_triplet) X(cholmod_free_triplet) X(cholmod_triplet_to_sparse) \
+  X(cholmod_free_sparse) X(cholmod_analyze) X(cholmod_factorize_p) X(cholmod_free_factor) X(cholmod_solve)             \
+  X(cholmod_sdmult) X(cholmod_allocate_dense) X(cholmod_free_dense)
+
+enum { DISSECTED = 30000 }; /* least number of rows for nested dissection */
+
+typedef struct {
+#define X(name) __typeof__(&name) name;
+  CHOLMOD_CALLS(X)
+#undef X
+} cholmod_calls;
+
+struct vs_sparse {
+  cholmod_calls call;
+  cholmod_common common;
+  cholmod_triplet *entries; /* NULL after vs_sparse_close */
+  cholmod_sparse *matrix;
+  cholmod_factor *factor;
+  double *scale; /* diagonal of D, or NULL if the matrix is not scaled */
+  size_t n;
+};
+
+/* The file has the version of the header, because cholmod_common differs from version to version. */
+#define TEXT_OF(x) #x
+#define FILE_OF(version) "libcholmod.so." TEXT_OF(version)
+
+static bool load(cholmod_calls *out, const char *purpose, vs_error *e) {
+  static const char *const files[] = { FILE_OF(CHOLMOD_MAIN_VERSION), NULL };
+  static const vs_dynamic_name names[] = {
+#define X(name) { #name, offsetof(cholmod_calls, name) },
+    CHOLMOD_CALLS(X)
+#undef X
+  };
+  const vs_dynamic_library library = { files, "libsuitesparse-dev", purpose };
+  return vs_dynamic_load(&library, names, sizeof names / sizeof *names, out, e);
+}
+
+vs_sparse *vs_sparse_new(size_t n, size_t entries, const char *purpose, vs_error *e) {
+  VS_ASSERT(n > 0);
+  vs_sparse *s = vs_zeros(1, sizeof *s);
+  if (!s) return vs_error_memory(e, NULL), NULL;
+  if (!load(&s->call, purpose, e)) return free(s), NULL;
+  s->n = n;
+  s->call.cholmod_start(&s->common);
+  s->common.print = 0;
+  s->common.try_catch = 1; /* CHOLMOD reports nothing, not even by its error handler */
+  /* Nested dissection takes longer than minimum degree, and makes less work later: in large systems this pays. */
+  s->common.nmethods = 1;
+  s->common.method[0].ordering = n < DISSECTED ? CHOLMOD_AMD : CHOLMOD_METIS;
+  if (n < INT_MAX && entries < INT_MAX)
+    s->entries = s->call.cholmod_allocate_triplet(n, n, entries + 1, 1, CHOLMOD_REAL, &s->common);
+  if (!s->entries) return vs_sparse_free(s), vs_error_memory(e, NULL), NULL;
+  return s;
+}
+
+void vs_sparse_free(vs_sparse *s) {
+  if (!s) return;
+  s->call.cholmod_free_triplet(&s->entries, &s->common);
+  s->call.cholmod_free_sparse(&s->matrix, &s->common);
+  s->call.cholmod_free_factor(&s->factor, &s->common);
+  s->call.cholmod_finish(&s->common);
+  free(s->scale), free(s);
+}
+
+void vs_sparse_add(vs_sparse *s, size_t i, size_t j, double v) {
+  cholmod_triplet *t = s->entries;
+  VS_ASSERT(t && i < s->n && j < s->n && t->nnz < t->nzmax);
+  ((int *)t->i)[t->nnz] = (int)(i < j ? i : j);
+  ((int *)t->j)[t->nnz] = (int)(i < j ? j : i);
+  ((double *)t->x)[t->nnz++] = v;
+}
+
+/* Replaces the matrix A by D A D. */
+static bool scale_to_one(vs_sparse *s) {
+  const int *from = s->matrix->p, *row = s->matrix->i;
+  double *x = s->matrix->x;
+  if (!VS_FRESH(s->scale, s->n)) return false;
+  for (size_t j = 0; j < s->n; j++) s->scale[j] = 1;
+  for (size_t j = 0; j < s->n; j++)
+    for (int k = from[j]; k < from[j + 1]; k++)
+      if ((size_t)row[k] == j && x[k] > 0) s->scale[j] = 1 / sqrt(x[k]);
+  for (size_t j = 0; j < s->n; j++)
+    for (int k = from[j]; k < from[j + 1]; k++) x[k] *= s->scale[j] * s->scale[row[k]];
+  return true;
+}
+
+bool vs_sparse_close(vs_sparse *s, bool scaled, vs_error *e) {
+  VS_ASSERT(s->entries && !s->matrix);
+  s->matrix = s->call.cholmod_triplet_to_sparse(s->entries, 0, &s->common);
+  s->call.cholmod_free_triplet(&s->entries, &s->common);
+  return (s->matrix && (!scaled || scale_to_one(s))) || vs_error_memory(e, NULL);
+}
+
+/* Factors D A D + shift. Returns false when memory is out. */
+static bool factor_shifted(vs_sparse *s, double shift) {
+  double beta[2] = { shift, 0 };
+  if (!s->factor) s->factor = s->call.cholmod_analyze(s->matrix, &s->common);
+  s->common.status = CHOLMOD_OK;
+  return s->factor && s->call.cholmod_factorize_p(s->matrix, beta, NULL, 0, s->factor, &s->common) &&
+         s->common.status >= CHOLMOD_OK;
+}
+
+typedef struct { double least; size_t row; } pivots;
+
+static void note_pivot(const vs_sparse *s, size_t row, double pivot, pivots *out) {
+  if (row >= s->factor->minor) pivot = 0; /* the factoring ended before this row */
+  if (pivot < out->least || pivot != pivot) *out = (pivots){ pivot > 0 ? pivot : 0, row };
+}
+
+bool vs_sparse_factor(vs_sparse *s, double *least, size_t *at, vs_error *e) {
+  VS_ASSERT(s->matrix && s->scale);
+  if (!factor_shifted(s, 0)) return vs_error_memory(e, NULL);
+  const cholmod_factor *l = s->factor;
+  const double *x = l->x;
+  pivots found = { 1, 0 };
+  if (l->is_super) {
+    const int *first = l->super, *rows = l->pi, *from = l->px;
+    for (size_t k = 0; k < l->nsuper; k++)
+      for (int j = first[k]; j < first[k + 1]; j++) {
+        double root = x[from[k] + (j - first[k]) * (rows[k + 1] - rows[k] + 1)];
+        note_pivot(s, (size_t)j, root * root, &found);
+      }
+  } else {
+    for (size_t j = 0; j < s->n; j++) {
+      double pivot = x[((const int *)l->p)[j]];
+      note_pivot(s, j, l->is_ll ? pivot * pivot : pivot, &found);
+    }
+  }
+  *least = found.least, *at = (size_t)((const int *)l->Perm)[found.row];
+  return true;
+}
+
+/* Sets out := a out + b * matrix * in, columns of n numbers. */
+static bool multiply(vs_sparse *s, double b, const double *in, double a, double *out, size_t columns) {
+  double alpha[2] = { b, 0 }, beta[2] = { a, 0 };
+  double *unchanged = (double *)(uintptr_t)in; /* cholmod_dense has no const member; the call does not change *in */
+  cholmod_dense x = { s->n, columns, s->n * columns, s->n, unchanged, NULL, CHOLMOD_REAL, CHOLMOD_DOUBLE };
+  cholmod_dense y = { s->n, columns, s->n * columns, s->n, out, NULL, CHOLMOD_REAL, CHOLMOD_DOUBLE };
+  return s->call.cholmod_sdmult(s->matrix, 0, alpha, beta, &x, &y, &s->common);
+}
+
+/* Adds the solution for the columns `sides` of right sides b to x. */
+static bool add_solution(vs_sparse *s, double *b, double *x, size_t sides) {
+  size_t count = s->n * sides;
+  cholmod_dense right = { s->n, sides, count, s->n, b, NULL, CHOLMOD_REAL, CHOLMOD_DOUBLE };
+  cholmod_dense *found = s->call.cholmod_solve(CHOLMOD_A, s->factor, &right, &s->common);
+  for (size_t i = 0; found && i < count; i++) x[i] += ((const double *)found->x)[i];
+  bool ok = found != NULL;
+  s->call.cholmod_free_dense(&found, &s->common);
+  return ok;
+}
+
+bool vs_sparse_solve(vs_sparse *s, double *x, size_t sides, vs_error *e) {
+  VS_ASSERT(s->factor && s->scale);
+  size_t count = s->n * sides;
+  double *b, *rest = NULL;
+  bool ok = VS_FRESH(b, count) && VS_FRESH(rest, count);
+  for (size_t i = 0; ok && i < count; i++) rest[i] = b[i] = x[i] * s->scale[i % s->n], x[i] = 0;
+  ok = ok && add_solution(s, b, x, sides) && multiply(s, -1, x, 1, rest, sides) && add_solution(s, rest, x, sides);
+  for (size_t i = 0; ok && i < count; i++) x[i] *= s->scale[i % s->n];
+  free(b), free(rest);
+  return ok || vs_error_memory(e, NULL);
+}
+
+/* Inverse iteration: a solution for D A D + shift is above all a multiple of the vectors that D A D maps to the
+ * smallest multiples of themselves. */
+bool vs_sparse_softest(vs_sparse *s, size_t at, double *v, vs_error *e) {
+  enum { TURNS = 12 };
+  VS_ASSERT(s->matrix && s->scale && at < s->n);
+  double *b;
+  bool ok = VS_FRESH(b, s->n) && factor_shifted(s, 1e-10);
+  /* A vector that no symmetry of the matrix leaves unchanged: a symmetric vector could miss an unsymmetric motion. */
+  for (size_t i = 0; ok && i < s->n; i++) v[i] = 1e-3 * sin(1 + 1.7 * (double)i);
+  if (ok) v[at] = 1;
+  for (int turn = 0; ok && turn < TURNS; turn++) {
+    double size = 0;
+    for (size_t i = 0; i < s->n; i++) size += v[i] * v[i];
+    for (size_t i = 0; i < s->n; i++) b[i] = v[i] / sqrt(size), v[i] = 0;
+    ok = add_solution(s, b, v, 1);
+  }
+  for (size_t i = 0; ok && i < s->n; i++) v[i] *= s->scale[i];
+  free(b);
+  return ok || vs_error_memory(e, NULL);
+}
+
+bool vs_sparse_times(vs_sparse *s, const double *x, double *y) {
+  VS_ASSERT(s->matrix);
+  if (!s->scale) return multiply(s, 1, x, 0, y, 1);
+  double *scaled;
+  if (!VS_FRESH(scaled, s->n)) return false;
+  for (size_t i = 0; i < s->n; i++) scaled[i] = x[i] / s->scale[i];
+  bool ok = multiply(s, 1, scaled, 0, y, 1);
+  for (size_t i = 0; i < s->n; i++) y[i] /= s->scale[i];
+  free(scaled);
+  return ok;
+}

@@ -1,0 +1,7 @@
+; Analysis of models: structures. Units are metre, newton, pascal and kilogram.
+(define-library (visualscheme analysis)
+  (export frame frame? frame-solve displacement rotation reaction reaction-moment member-force member-forces case-names combine-cases
+    round-section tube-section rectangle-section box-section any-section section? section-area
+    structural-material structural-material?)
+  (import (visualscheme) (analysis core))
+  (include "analysis/sections.scm" "analysis/frames.scm" "analysis/results.scm"))

@@ -1,0 +1,181 @@
+; Frames: nodes, and straight members between them. A frame is checked when it is made; frame-solve makes vectors of numbers
+; of it, which the core computes.
+
+; nodes, members: their numbers; parts: procedure that returns all that follows, so that a printed frame is short
+(define-record-type framework (make-framework nodes members parts) frame? (nodes node-count) (members member-count) (parts frame-parts))
+; nodes: list of points; bars: list of bars; held: vector of 6 numbers a node, 1 where a support holds it; cases: list of a
+; name and loads
+(define (make-frame nodes bars held cases)
+  (let ((all (list nodes bars (list->vector bars) held cases))) (make-framework (length nodes) (length bars) (lambda () all))))
+(define (nodes-of f) (first ((frame-parts f))))
+(define (members-of f) (second ((frame-parts f))))
+(define (bars-at f) (third ((frame-parts f))))
+(define (held-of f) (fourth ((frame-parts f))))
+(define (cases-of f) (fifth ((frame-parts f))))
+; from, to: numbers of nodes from 1
+(define-record-type bar (make-bar from to hinged-from hinged-to roll section material length) bar?
+  (from bar-from) (to bar-to) (hinged-from bar-hinged-from) (hinged-to bar-hinged-to) (roll bar-roll) (section bar-section)
+  (material bar-material) (length bar-length))
+
+(define ways '(x y z rx ry rz))
+(define gravity 9.81) ; m/s2
+
+(define (need-node who what n count)
+  (if (not (and (exact-integer? n) (<= 1 n count))) (error who "~a: a node must be a number from 1 to ~a, got ~s" what count n)))
+
+; ---- members ----
+
+; Returns the hinges and the roll that follow the nodes of a member: a list of two truths and a number.
+(define (member-options number options)
+  (let loop ((l options) (from #f) (to #f) (roll 0))
+    (cond
+      ((null? l) (list from to roll))
+      ((eq? (car l) 'hinged) (loop (cdr l) #t #t roll))
+      ((eq? (car l) 'hinged-start) (loop (cdr l) #t to roll))
+      ((eq? (car l) 'hinged-end) (loop (cdr l) from #t roll))
+      ((and (eq? (car l) 'roll) (pair? (cdr l))) (need-number 'frame 'roll (cadr l)) (loop (cddr l) from to (cadr l)))
+      (else (error 'frame "member ~a has the option ~s; options are 'hinged, 'hinged-start, 'hinged-end, and 'roll before an angle" number (car l))))))
+
+; Returns one value for each member: each of a list, or always the same.
+(define (one-each what value n convert)
+  (if (list? value)
+      (begin
+        (if (not (= (length value) n)) (error 'frame "~a must be one, or a list of ~a, one for each member, got ~a" what n (length value)))
+        (map convert value))
+      (make-list n (convert value))))
+
+(define (section-for s)
+  (cond ((section? s) s) ((positive-number? s) (any-section s))
+    (else (error 'frame "sections must be sections, such as (tube-section 0.1 0.005), or areas in m2, got ~s" s))))
+
+(define (bars-of nodes members sections materials joints)
+  (let* ((n (length members)) (at (list->vector (cons #f nodes))) (count (length nodes)) (pinned (eq? joints 'pinned)))
+    (map (lambda (m number section material)
+           (if (not (and (list? m) (>= (length m) 2))) (error 'frame "member ~a must be a list of two nodes, got ~s" number m))
+           (need-node 'frame (format "member ~a" number) (car m) count)
+           (need-node 'frame (format "member ~a" number) (cadr m) count)
+           (let ((options (if (null? (cddr m)) (list pinned pinned 0) (member-options number (cddr m))))
+                 (long (distance (vector-ref at (car m)) (vector-ref at (cadr m)))))
+             (if (<= long 0) (error 'frame "member ~a has no length: its nodes ~a and ~a are at ~s" number (car m) (cadr m) (vector-ref at (car m))))
+             (make-bar (car m) (cadr m) (or pinned (first options)) (or pinned (second options)) (third options) section material long)))
+         members (iota n 1) (one-each 'sections sections n section-for) (one-each 'materials materials n (lambda (m) (material-of 'frame m))))))
+
+; ---- supports ----
+
+; Returns the vector of held ways. A support is a node, or a list of nodes and what holds there.
+(define (held-ways supports count plane)
+  (let ((held (make-vector (* 6 count) 0)))
+    (define (hold! n i) (vector-set! held (+ (* 6 (- n 1)) i) 1))
+    (define (ways-named s)
+      (append-map (lambda (w)
+                    (cond ((eq? w 'fixed) (iota 6)) ((eq? w 'pinned) (iota 3)) ((list-index (lambda (v) (eq? v w)) ways) => list)
+                      (else (error 'frame "supports: ~s holds nothing; write 'fixed, 'pinned, or some of ~a, in ~s" w ways s))))
+        (cdr s)))
+    (if (not (list? supports)) (error 'frame "supports must be a list of nodes, or of lists such as (list 1 'pinned), got ~s" supports))
+    (for-each
+      (lambda (s)
+        (let* ((nodes (if (pair? s) (if (pair? (car s)) (car s) (list (car s))) (list s)))
+               (which (if (and (pair? s) (pair? (cdr s))) (ways-named s) (iota 6))))
+          (for-each (lambda (n) (need-node 'frame 'supports n count) (for-each (lambda (i) (hold! n i)) which)) nodes)))
+      supports)
+    (if (null? supports) (error 'frame "no support holds the frame: give #:supports, such as '((1 fixed) (5 pinned))"))
+    (if plane
+        (let ((out (case plane ((xz) '(1 3 5)) ((xy) '(2 3 4)) ((yz) '(0 4 5)) (else (error 'frame "plane must be 'xy, 'xz or 'yz, got ~s" plane)))))
+          (for-each (lambda (n) (for-each (lambda (i) (hold! n i)) out)) (iota count 1))))
+    held))
+
+; ---- loads ----
+
+(define (case? l) (and (pair? l) (string? (car l))))
+
+(define (check-load l count members)
+  (define (vector-at? i) (and (> (length l) i) (gvector? (list-ref l i))))
+  (define (bad) (error 'frame "loads: ~s is no load; loads are (list node force), (list node force moment), (list 'member number force-per-metre), (list 'members force-per-metre) and 'weight" l))
+  (cond
+    ((eq? l 'weight))
+    ((not (and (list? l) (pair? l))) (bad))
+    ((eq? (car l) 'weight) (if (not (and (= (length l) 2) (vector-at? 1))) (bad)))
+    ((eq? (car l) 'members) (if (not (and (= (length l) 2) (vector-at? 1))) (bad)))
+    ((eq? (car l) 'member)
+     (if (not (and (= (length l) 3) (vector-at? 2))) (bad))
+     (if (not (and (exact-integer? (cadr l)) (<= 1 (cadr l) members))) (error 'frame "loads: a member must be a number from 1 to ~a, got ~s" members (cadr l))))
+    (else
+     (if (not (and (<= 2 (length l) 3) (vector-at? 1) (or (= (length l) 2) (vector-at? 2)))) (bad))
+     (for-each (lambda (n) (need-node 'frame 'loads n count)) (if (pair? (car l)) (car l) (list (car l)))))))
+
+; Returns the list of cases, each a list of its name and loads.
+(define (cases-in loads count members)
+  (if (not (list? loads)) (error 'frame "loads must be a list of loads, or of cases that begin with a name, got ~s" loads))
+  (let ((cases (if (and (pair? loads) (every case? loads)) loads (list (cons "loads" loads)))))
+    (for-each (lambda (c) (for-each (lambda (l)
+                                      (if (case? l) (error 'frame "loads: the case ~s is beside loads without a case; give each a case" (car l)))
+                                      (check-load l count members))
+                            (cdr c)))
+      cases)
+    (let ((names (map car cases)))
+      (if (not (= (length names) (length (delete-duplicates names)))) (error 'frame "loads: two cases have one name in ~s" names)))
+    cases))
+
+; ---- frames ----
+
+(define (frame nodes members #:supports [supports any? '()] #:loads [loads any? '()] #:sections [sections any? #f] #:materials [materials any? 's235]
+               #:joints [joints any? 'rigid] #:plane [plane any? #f])
+  (if (not (and (pair? nodes) (list? nodes) (every point? nodes))) (error 'frame "nodes must be a list of points, got ~s" nodes))
+  (if (not (and (pair? members) (list? members))) (error 'frame "members must be a list of lists of two nodes, got ~s" members))
+  (if (not (memq joints '(rigid pinned))) (error 'frame "joints must be 'rigid or 'pinned, got ~s" joints))
+  (if (not sections) (error 'frame "sections must be given: one such as (tube-section 0.1 0.005), or a list with one for each member"))
+  (let* ((count (length nodes)) (bars (bars-of nodes members sections materials joints)) (longest (apply max (map bar-length bars))))
+    (for-each (lambda (m) (check-material-units 'frame m)) (delete-duplicates (map bar-material bars) eq?))
+    (for-each (lambda (s) (check-section-units 'frame s)) (delete-duplicates (map bar-section bars) eq?))
+    (if (> longest 2000) (warn (format "frame: a member is ~a m long: metres are expected, 1 mm is 0.001 m" longest)))
+    (make-frame nodes bars (held-ways supports count plane) (cases-in loads count (length bars)))))
+
+; Writes the numbers of the members into a vector, as the core needs them.
+(define (member-numbers bars)
+  (let ((v (make-vector (* 11 (length bars)) 0)))
+    (for-each
+      (lambda (b k)
+        (let ((s (bar-section b)) (m (bar-material b)) (at (* 11 k)))
+          (define (put! i x) (vector-set! v (+ at i) x))
+          (put! 0 (- (bar-from b) 1)) (put! 1 (- (bar-to b) 1))
+          (put! 2 (section-area s)) (put! 3 (section-iy s)) (put! 4 (section-iz s)) (put! 5 (section-it s))
+          (put! 6 (modulus-of m)) (put! 7 (shear-of m)) (put! 8 (bar-roll b))
+          (if (bar-hinged-from b) (put! 9 1))
+          (if (bar-hinged-to b) (put! 10 1))))
+      bars (iota (length bars)))
+    v))
+
+(define (add-at! v i g factor)
+  (for-each (lambda (d x) (vector-set! v (+ i d) (+ (vector-ref v (+ i d)) (* factor x)))) '(0 1 2) (list (cx g) (cy g) (cz g))))
+
+; Adds the loads of a case to those of nodes and of members, of which the case's begin at the numbers n0 and m0.
+(define (add-case! case bars nodes lines n0 m0)
+  (define (every-member g factor)
+    (for-each (lambda (b k) (add-at! lines (+ m0 (* 3 k)) g (factor b))) bars (iota (length bars))))
+  (define (weight b) (* (section-area (bar-section b)) (density-of (bar-material b))))
+  (for-each
+    (lambda (l)
+      (cond
+        ((eq? l 'weight) (every-member (vxyz 0 0 (- gravity)) weight))
+        ((eq? (car l) 'weight) (every-member (cadr l) weight))
+        ((eq? (car l) 'members) (every-member (cadr l) (lambda (b) 1)))
+        ((eq? (car l) 'member) (add-at! lines (+ m0 (* 3 (- (cadr l) 1))) (third l) 1))
+        (else
+         (for-each (lambda (n)
+                     (add-at! nodes (+ n0 (* 6 (- n 1))) (second l) 1)
+                     (if (pair? (cddr l)) (add-at! nodes (+ n0 (* 6 (- n 1)) 3) (third l) 1)))
+           (if (pair? (car l)) (car l) (list (car l)))))))
+    (cdr case)))
+
+(define (need-frame who f) (if (not (frame? f)) (error who "f must be a frame, got ~s" f)))
+
+(define (frame-solve f)
+  (need-frame 'frame-solve f)
+  (let* ((bars (members-of f)) (cases (cases-of f)) (n (length (nodes-of f))) (m (length bars)) (c (length cases))
+         (nodes (make-vector (* 6 n c) 0)) (lines (make-vector (* 3 m c) 0)))
+    (for-each (lambda (case k) (add-case! case bars nodes lines (* 6 n k) (* 3 m k))) cases (iota c))
+    (let ((found (core:frame-solve (nodes-of f) (member-numbers bars) (held-of f) nodes lines c)))
+      (if (pair? (fourth found))
+          (warn (format "frame-solve: node ~a is free to move where nothing loads it, and was held there~a" (first (fourth found))
+                  (if (pair? (cdr (fourth found))) (format "; ~a more nodes, too; #:plane holds a flat frame" (- (length (fourth found)) 1)) ""))))
+      (make-result f (map car cases) (first found) (second found) (third found)))))
