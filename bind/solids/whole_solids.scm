@@ -1,0 +1,191 @@
+; Operations on whole solids: parts, pieces, holes, threads, relief. After flattening.scm. Names that begin with % are
+; hidden from programs. Compiled into the binary when it is built.
+
+; Returns the object, or the union of a list, which must be a solid or empty.
+(define (%solid-given who name x)
+  (let ((o (if (and (pair? x) (list? x) (every object? x)) (unite x) x)))
+    (if (not (and (object? o) (or (solid? o) (empty-object? o)))) (error who "~a must be a solid, got ~s" name x))
+    o))
+
+(define (%need-above-0 who name x)
+  (if (not (and (real? x) (finite? x) (positive? x))) (error who "~a must be a number and positive, got ~s" name x)))
+
+; ---- parts that do not touch ----
+
+; Returns the union of a list of solids, or its one solid.
+(define (%all-of-them l) (if (null? (cdr l)) (car l) (unite l)))
+
+; Returns a box around o, larger by a thousandth of its diagonal.
+(define (%box-around o)
+  (let* ((b (bounding-box o)) (d (* 1e-3 (distance (first b) (second b)))))
+    (list (+xyz (first b) (- d) (- d) (- d)) (+xyz (second b) d d d))))
+
+(define (%boxes-apart? a b)
+  (define (apart? get) (or (< (get (second a)) (get (first b))) (< (get (second b)) (get (first a)))))
+  (or (apart? cx) (apart? cy) (apart? cz)))
+
+(define (%all-apart? boxes)
+  (or (null? boxes)
+      (and (every (lambda (b) (%boxes-apart? (car boxes) b)) (cdr boxes)) (%all-apart? (cdr boxes)))))
+
+; Returns the parts of a solid that is no union: itself, or its intersections with boxes, or meshes if the boxes of the
+; parts meet.
+(define (%carved-parts o)
+  (let ((parts (%solid-parts (list o))))
+    (cond
+      ((null? parts) '())
+      ((null? (cdr parts)) (list o))
+      (else
+        (let ((boxes (map (lambda (p) (%box-around (cdr p))) parts)))
+          (if (%all-apart? boxes)
+              (map (lambda (b) (intersect o (make-box (first b) (second b)))) boxes)
+              (map cdr parts)))))))
+
+; Returns the parts of a union: of pieces that are in one part each, those that touch become one.
+(define (%united-parts pieces)
+  (if (or (null? pieces) (null? (cdr pieces)))
+      pieces
+      (let ((all (list->vector pieces)))
+        (map (lambda (numbers) (%all-of-them (map (lambda (i) (vector-ref all i)) numbers)))
+             (sort (map car (%solid-parts pieces)) (lambda (a b) (< (car a) (car b))))))))
+
+(define (%parts-of o)
+  (let ((within (lambda (f) (map f (%parts-of (car (object-children o)))))))
+    (case (object-kind o)
+      ((empty-object) '())
+      ((transform) (within (lambda (p) (do-transform p (car (object-arguments o))))))
+      ((with-material) (within (lambda (p) (with-material (car (object-arguments o)) p))))
+      ((layer) (within (lambda (p) (layer (car (object-arguments o)) p))))
+      ((unite) (%united-parts (append-map %parts-of (object-children o))))
+      (else (%carved-parts o)))))
+
+(define (decompose o) (%parts-of (%solid-given 'decompose 'o o)))
+
+; ---- pieces on both sides of a tool ----
+
+(define (%plane-tool? x) (or (plane? x) (gvector? x) (memq x '(xy yz xz))))
+
+(define (split o tool)
+  (let ((o (%solid-given 'split 'o o)))
+    (define (both inner outer)
+      (let ((a (decompose inner)) (b (decompose outer)))
+        (cond ((null? a) (if (null? b) '() (decompose o))) ((null? b) (decompose o)) (else (append a b)))))
+    (define (by-solid s) (both (intersect o s) (subtract o s)))
+    (cond
+      ((empty-object? o) '())
+      ((%plane-tool? tool) (by-solid (make-half-space tool)))
+      ((not (object? tool)) (error 'split "tool must be a plane, a surface or a solid, got ~s" tool))
+      ((empty-object? tool) (decompose o))
+      ((solid? tool) (by-solid tool))
+      ((or (surface? tool) (region? tool)) (by-solid (%split tool o)))
+      (else (error 'split "tool must be a plane, a surface or a solid, got ~s" tool)))))
+
+; ---- holes ----
+
+; Returns a list of two positive numbers, or reports it.
+(define (%need-sizes who name form l)
+  (if (not (and (list? l) (= (length l) 2) (every (lambda (x) (and (real? x) (finite? x) (positive? x))) l)))
+      (error who "~a must be ~a of positive numbers, got ~s" name form l)))
+
+; The solid to subtract: a cylinder of diameter d from p along v.
+(define (make-hole p v d depth #:counterbore [counterbore any? #f] #:countersink [countersink any? #f] #:segments [segments any? #f])
+  (%need-point 'make-hole 'p p)
+  (if (not (and (gvector? v) (> (vlength v) 0))) (error 'make-hole "v must be a gvector longer than 0, got ~s" v))
+  (%need-above-0 'make-hole 'd d)
+  (%need-above-0 'make-hole 'depth depth)
+  (%need-segments 'make-hole segments)
+  (let ((u (unitize v)))
+    (define (at s) (p+v p (v*r u s)))
+    (define (wider what diameter)
+      (if (<= diameter d) (error 'make-hole "~a's diameter must exceed d, ~a, got ~a" what d diameter)))
+    (define (deep what s)
+      (if (> s depth) (error 'make-hole "~a is ~a deep, and the hole ~a" what s depth)))
+    (define (bored l)
+      (%need-sizes 'make-hole 'counterbore "(list diameter depth)" l)
+      (wider "counterbore" (first l))
+      (deep "counterbore" (second l))
+      (list (make-cylinder p (at (second l)) (/ (first l) 2) #:segments segments)))
+    (define (sunk l)
+      (%need-sizes 'make-hole 'countersink "(list diameter angle)" l)
+      (wider "countersink" (first l))
+      (if (>= (second l) pi) (error 'make-hole "countersink's angle must be less than pi, got ~a" (second l)))
+      (let ((height (/ (- (first l) d) 2 (tan (/ (second l) 2)))))
+        (deep "countersink" height)
+        (list (make-cut-cone p (/ (first l) 2) (at height) (/ d 2) #:segments segments))))
+    (%all-of-them
+      (append (list (make-cylinder p (at depth) (/ d 2) #:segments segments))
+              (if counterbore (bored counterbore) '())
+              (if countersink (sunk countersink) '())))))
+
+; ---- threads ----
+
+; Returns the number of facets of a turn of radius r, as the program asks, or 64.
+(define (%turn-facets r)
+  (or (current-segments)
+      (let ((t (current-tolerance))) (and t (> t 0) (max 32 (exact (ceiling (/ pi (acos (max 0.5 (- 1 (/ t r))))))))))
+      64))
+
+; The basic profile of ISO 68-1: flanks at 60 degrees, flat over an eighth of the pitch at the crest and a quarter at the
+; root. The surface is a strip of four facets a pitch; turn follows turn.
+(define (thread d pitch length #:standard [standard any? 'metric] #:segments [segments any? #f])
+  (%need-above-0 'thread 'd d)
+  (%need-above-0 'thread 'pitch pitch)
+  (%need-above-0 'thread 'length length)
+  (%need-segments 'thread segments)
+  (if (not (eq? standard 'metric)) (error 'thread "standard must be 'metric, got ~s" standard))
+  (let* ((high (* (/ 5 8) (/ (sqrt 3) 2) pitch)) (r (/ d 2)) (root (- r high)) (n (or segments (%turn-facets r)))
+         (turns (+ 2 (exact (ceiling (/ length pitch))))) (rows (* n turns)))
+    (if (<= root 0) (error 'thread "d must exceed ~a, the threads' depth on both sides, got ~a" (* 2 high) d))
+    (if (> rows 200000) (error 'thread "the thread has ~a turns of ~a facets, and 200000 facets are the most; give fewer #:segments" turns n))
+    ; the four points of a pitch at row i, from the beginning of the root's flat upwards
+    (let* ((step (/ pitch n)) (low (- 0 (* 2 pitch)))
+           (radii (list root root r r)) (heights (map (lambda (k) (* k pitch)) '(0 1/4 9/16 11/16)))
+           (row (lambda (i)
+                  (let ((phi (* 2 pi (/ (modulo i n) n))) (z (+ low (* i step))))
+                    (map (lambda (q h) (cyl q phi (+ z h))) radii heights))))
+           (last-row (+ rows n)))
+      (define (number i k) (+ (* 4 i) k 1)) ; of point k of row i, from 1
+      (define bottom (number (+ last-row 1) 0))
+      (define top (+ bottom 1))
+      ; facets between two rows: three of the profile, and the next turn's flank below row i + n
+      (define (facets i)
+        (append
+          (map (lambda (k) (list (number i k) (number (+ i 1) k) (number (+ i 1) (+ k 1)) (number i (+ k 1)))) '(0 1 2))
+          (if (<= (+ i n 1) last-row)
+              (list (list (number i 3) (number (+ i 1) 3) (number (+ i n 1) 0) (number (+ i n) 0)))
+              '())))
+      (define (fan apex up points) ; triangles from an end of the axis
+        (map (lambda (a b) (if up (list apex a b) (list apex b a))) (drop-right points 1) (cdr points)))
+      (let* ((points (append (append-map row (iota (+ last-row 1))) (list (xyz 0 0 low) (xyz 0 0 (+ low (* last-row step) pitch)))))
+             (start (append (map (lambda (i) (number i 0)) (iota (+ n 1))) (map (lambda (k) (number 0 k)) '(3 2 1 0))))
+             (from (- last-row n))
+             (end (append (map (lambda (i) (number (+ from i) 3)) (iota (+ n 1))) (map (lambda (k) (number last-row k)) '(2 1 0)) (list (number from 3))))
+             (screw (make-polyface-mesh points (append (append-map facets (iota last-row)) (fan bottom #f start) (fan top #t end)))))
+        (do-slice (do-slice screw (make-plane origin uz)) (make-plane (xyz 0 0 length) (v*r uz -1)))))))
+
+; ---- relief ----
+
+; Returns a unit normal of the region's plane that points away from o.
+(define (%away-from o region)
+  (let* ((n (%region-normal region)) (p (centroid region)) (b (bounding-box o)) (step (* 1e-6 (distance (first b) (second b))))
+         (above (contains? o (p+v p (v*r n step)))) (below (contains? o (p+v p (v*r n (- step))))))
+    (cond
+      ((and below (not above)) n)
+      ((and above (not below)) (v*r n -1))
+      ((>= (dot n (p->q (centroid o) p)) 0) n)
+      (else (v*r n -1)))))
+
+; The surface under the region moves by the depth along the region's normal, away from o.
+(define (emboss o region depth)
+  (let ((o (%solid-given 'emboss 'o o)))
+    (if (not (and (object? region) (region? region))) (error 'emboss "region must be a region, got ~s" region))
+    (%need-number 'emboss 'depth depth)
+    (if (or (= depth 0) (empty-object? o))
+        o
+        (let* ((n (%away-from o region)) (b (bounding-box (list o region))) (long (+ (* 2 (abs depth)) (* 2 (distance (first b) (second b)))))
+               (below (do-extrude region (v*r n (- long)))) ; from the region through o
+               (moved (do-move o (v*r n depth))))
+          (if (> depth 0)
+              (let ((above (do-extrude (do-move region (v*r n depth)) (v*r n (- long)))))
+                (unite o (intersect moved above)))
+              (subtract o (subtract below moved)))))))
