@@ -85,6 +85,18 @@ bool cli_data_true(const cli_data_reader *r, cli_data value, const char *path) {
   return json_is_true(cli_data_at(r, value, path));
 }
 
+bool cli_data_is_number(const cli_data_reader *r, cli_data value, double *out) {
+  if (!value || !json_is_number(value)) return false;
+  *out = cli_data_real(r, value, "", 0);
+  return true;
+}
+
+bool cli_data_is_truth(cli_data value, bool *out) {
+  if (!value || !json_is_boolean(value)) return false;
+  *out = json_is_true(value);
+  return true;
+}
+
 void cli_data_echo(const cli_data_reader *r, cli_data value, FILE *to) {
   if (value && json_is_integer(value)) fprintf(to, "%lld", (long long)of(r)->number(value));
   else if (value && json_is_string(value)) know_json_text(to, of(r)->text(value), of(r)->length(value));

@@ -27,6 +27,10 @@ const char *cli_data_text(const cli_data_reader *r, cli_data value, const char *
 long long cli_data_number(const cli_data_reader *r, cli_data value, const char *path, long long otherwise);
 double cli_data_real(const cli_data_reader *r, cli_data value, const char *path, double otherwise); /* any number */
 bool cli_data_true(const cli_data_reader *r, cli_data value, const char *path); /* returns whether `true` is there */
+/* Returns true, and sets *out, if the value is a number. */
+bool cli_data_is_number(const cli_data_reader *r, cli_data value, double *out);
+/* Returns true if the value is true or false, and sets *out. */
+bool cli_data_is_truth(cli_data value, bool *out);
 /* Writes a number or a text as it was read, and null for any other value. */
 void cli_data_echo(const cli_data_reader *r, cli_data value, FILE *to);
 /* Writes a number, true or false as a datum of the language. Returns false for any other value. */

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/lsp/json_input.h"
+#include "cli/json_data.h"
 #include "model/store/array.h"
 
 static bool ends_in(const char *text, const char *ending) {
@@ -149,15 +149,15 @@ static bool read_csv(sweep_memory *m, const char *path, char *text, size_t lengt
 /* ---- JSON ---- */
 
 /* Returns the value as text for -D, or NULL after a message. */
-static char *value_text(const lsp_json_reader *r, sweep_memory *m, const char *path, const char *name, lsp_json value) {
+static char *value_text(const cli_data_reader *r, sweep_memory *m, const char *path, const char *name, cli_data value) {
   char number[40];
   double x;
   bool truth;
   size_t length;
-  const char *text = lsp_json_text(r, value, "", &length);
+  const char *text = cli_data_text(r, value, "", &length);
   if (text) return sweep_keep_text(m, text, length);
-  if (lsp_json_is_truth(value, &truth)) return sweep_keep_text(m, truth ? "#t" : "#f", 2);
-  if (lsp_json_is_number(r, value, &x)) {
+  if (cli_data_is_truth(value, &truth)) return sweep_keep_text(m, truth ? "#t" : "#f", 2);
+  if (cli_data_is_number(r, value, &x)) {
     for (int digits = 15; digits <= 17; digits++) {
       sweep_write_number(x, digits, number);
       if (strtod(number, NULL) == x) break;
@@ -168,51 +168,45 @@ static char *value_text(const lsp_json_reader *r, sweep_memory *m, const char *p
   return NULL;
 }
 
-static bool is_object(const lsp_json_reader *r, lsp_json value) {
-  const char *name;
-  return lsp_json_member(r, value, 0, &name) != NULL;
-}
-
-static bool put_object(const lsp_json_reader *r, sweep_memory *m, const char *path, lsp_json object, sweep_axis *axis) {
+static bool put_object(const cli_data_reader *r, sweep_memory *m, const char *path, cli_data object, sweep_axis *axis) {
   size_t count = 0;
-  const char *name;
-  lsp_json value;
-  while (lsp_json_member(r, object, count, &name)) count++;
+  for (cli_data_member k = cli_data_first(r, object); k; k = cli_data_next(r, object, k)) count++;
   if (!count)
     return wrong(path, 0, "a set has no parameters: expected a list of objects such as [{\"n\": 1}, {\"n\": 2}]");
   sweep_setting *at = sweep_keep(m, count, sizeof *at);
-  for (size_t i = 0; at && (value = lsp_json_member(r, object, i, &name)) != NULL; i++) {
+  size_t i = 0;
+  for (cli_data_member k = cli_data_first(r, object); at && k; k = cli_data_next(r, object, k), i++) {
+    const char *name = cli_data_key(r, k);
     at[i].name = sweep_keep_text(m, name, strlen(name));
-    at[i].value = at[i].name ? value_text(r, m, path, name, value) : NULL;
+    at[i].value = at[i].name ? value_text(r, m, path, name, cli_data_value(r, k)) : NULL;
     if (!at[i].value) return false;
   }
   return at && sweep_axis_put(axis, (sweep_set){at, count});
 }
 
 /* A list of sets, an object of named sets, or one set. OpenSCAD's customizer keeps named sets in "parameterSets". */
-static bool put_sets(const lsp_json_reader *r, sweep_memory *m, const char *path, lsp_json whole, sweep_axis *axis) {
-  const char *name;
-  lsp_json scad = lsp_json_at(r, whole, "parameterSets"), sets = scad ? scad : whole, one;
+static bool put_sets(const cli_data_reader *r, sweep_memory *m, const char *path, cli_data whole, sweep_axis *axis) {
+  cli_data scad = cli_data_at(r, whole, "parameterSets"), sets = scad ? scad : whole;
   bool ok = true;
-  if (lsp_json_count(r, sets)) {
-    for (size_t i = 0; ok && i < lsp_json_count(r, sets); i++)
-      ok = put_object(r, m, path, lsp_json_nth(r, sets, i), axis);
+  if (cli_data_count(r, sets)) {
+    for (size_t i = 0; ok && i < cli_data_count(r, sets); i++)
+      ok = put_object(r, m, path, cli_data_nth(r, sets, i), axis);
     return ok;
   }
-  lsp_json first = lsp_json_member(r, sets, 0, &name);
-  if (!first || !is_object(r, first)) return put_object(r, m, path, sets, axis);
-  for (size_t i = 0; ok && (one = lsp_json_member(r, sets, i, &name)) != NULL; i++)
-    ok = put_object(r, m, path, one, axis);
+  cli_data_member first = cli_data_first(r, sets);
+  if (!first || !cli_data_first(r, cli_data_value(r, first))) return put_object(r, m, path, sets, axis);
+  for (cli_data_member k = first; ok && k; k = cli_data_next(r, sets, k))
+    ok = put_object(r, m, path, cli_data_value(r, k), axis);
   return ok;
 }
 
 static bool read_json(sweep_memory *m, const char *path, const char *text, size_t length, sweep_axis *axis) {
-  lsp_json_reader r;
-  if (!lsp_json_open(&r)) return lsp_json_close(&r), wrong(path, 0, r.trouble);
-  lsp_json whole = lsp_json_read(&r, text, length);
+  cli_data_reader r;
+  if (!cli_data_open(&r)) return cli_data_close(&r), wrong(path, 0, r.trouble);
+  cli_data whole = cli_data_read(&r, text, length);
   bool ok = whole ? put_sets(&r, m, path, whole, axis) : wrong(path, 0, "the text is not JSON");
-  lsp_json_free(&r, whole);
-  lsp_json_close(&r);
+  cli_data_free(&r, whole);
+  cli_data_close(&r);
   return ok;
 }
 

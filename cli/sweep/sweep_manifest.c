@@ -16,7 +16,7 @@
 
 #include "cli/batch/part_files.h"
 #include "cli/json.h"
-#include "cli/lsp/json_input.h"
+#include "cli/json_data.h"
 #include "model/store/array.h"
 
 enum { PATH_ROOM = 4096 };
@@ -42,7 +42,7 @@ struct sweep_manifest {
   group *groups; size_t group_count, group_room;
   saved *saved; size_t saved_count, saved_room;
   hashed *hashed; size_t hashed_count, hashed_room;
-  lsp_json_reader reader;
+  cli_data_reader reader;
   bool reads;            /* whether the reader is open */
 };
 
@@ -108,22 +108,22 @@ static bool is_current(sweep_manifest *m, uint64_t id) {
 
 /* ---- reading ---- */
 
-static bool read_hash(const sweep_manifest *m, lsp_json line, const char *name, uint64_t *out) {
-  const char *text = lsp_json_text(&m->reader, line, name, NULL);
+static bool read_hash(const sweep_manifest *m, cli_data line, const char *name, uint64_t *out) {
+  const char *text = cli_data_text(&m->reader, line, name, NULL);
   return text && sscanf(text, "%" SCNx64, out) == 1;
 }
 
-static bool take_group(sweep_manifest *m, uint64_t id, lsp_json read) {
+static bool take_group(sweep_manifest *m, uint64_t id, cli_data read) {
   size_t count = 0, k = 0;
-  const char *name;
-  lsp_json one;
+  const cli_data_reader *r = &m->reader;
   if (group_of(m, id)) return true;
-  while (lsp_json_member(&m->reader, read, count, &name)) count++;
+  for (cli_data_member e = cli_data_first(r, read); e; e = cli_data_next(r, read, e)) count++;
   input *at = sweep_keep(m->table->memory, count ? count : 1, sizeof *at);
   if (!at || !VS_GROW(m->groups, m->group_room, m->group_count + 1)) return false;
-  for (; k < count && (one = lsp_json_member(&m->reader, read, k, &name)) != NULL; k++) {
+  for (cli_data_member e = cli_data_first(r, read); e; e = cli_data_next(r, read, e), k++) {
+    const char *name = cli_data_key(r, e);
     at[k].path = sweep_keep_text(m->table->memory, name, strlen(name));
-    const char *text = lsp_json_text(&m->reader, one, "", NULL);
+    const char *text = cli_data_text(r, cli_data_value(r, e), "", NULL);
     if (!at[k].path || !text || sscanf(text, "%" SCNx64, &at[k].hash) != 1) return true;
   }
   m->groups[m->group_count++] = (group){.id = id, .at = at, .count = count};
@@ -134,16 +134,16 @@ static bool take_line(sweep_manifest *m, const char *line, size_t length) {
   uint64_t key, inputs;
   const char *outcome;
   bool ok = true;
-  lsp_json one = lsp_json_read(&m->reader, line, length);
-  if (read_hash(m, one, "key", &key) && (outcome = lsp_json_text(&m->reader, one, "outcome", NULL)) != NULL) {
+  cli_data one = cli_data_read(&m->reader, line, length);
+  if (read_hash(m, one, "key", &key) && (outcome = cli_data_text(&m->reader, one, "outcome", NULL)) != NULL) {
     if (!read_hash(m, one, "inputs", &inputs)) inputs = 0;
     ok = VS_GROW(m->saved, m->saved_room, m->saved_count + 1);
     if (ok) {
       m->saved[m->saved_count] = (saved){key, inputs, m->saved_count, line, length, !strcmp(outcome, "done")};
       m->saved_count++;
     }
-  } else if (read_hash(m, one, "inputs", &inputs)) ok = take_group(m, inputs, lsp_json_at(&m->reader, one, "read"));
-  lsp_json_free(&m->reader, one);
+  } else if (read_hash(m, one, "inputs", &inputs)) ok = take_group(m, inputs, cli_data_at(&m->reader, one, "read"));
+  cli_data_free(&m->reader, one);
   return ok || sweep_no_memory();
 }
 
@@ -159,8 +159,8 @@ static bool read_file(sweep_manifest *m, const char *path, bool own) {
   fclose(f);
   if (own) m->is_new = length == 0;
   if (own) m->torn = length > 0 && text[length - 1] != '\n';
-  if (length && !m->reads && !(m->reads = lsp_json_open(&m->reader)))
-    return fprintf(stderr, "vs sweep: %s: %s\n", path, m->reader.trouble), lsp_json_close(&m->reader), false;
+  if (length && !m->reads && !(m->reads = cli_data_open(&m->reader)))
+    return fprintf(stderr, "vs sweep: %s: %s\n", path, m->reader.trouble), cli_data_close(&m->reader), false;
   for (size_t at = 0; ok && at < length;) {
     const char *end = memchr(text + at, '\n', length - at);
     size_t n = end ? (size_t)(end - text) - at : length - at;
@@ -258,7 +258,7 @@ void sweep_manifest_close(sweep_manifest *m) {
   if (!m) return;
   if (m->file >= 0) close(m->file);
   if (m->shared >= 0) close(m->shared);
-  if (m->reads) lsp_json_close(&m->reader);
+  if (m->reads) cli_data_close(&m->reader);
   free(m->groups), free(m->saved), free(m->hashed);
   free(m);
 }
@@ -266,26 +266,28 @@ void sweep_manifest_close(sweep_manifest *m) {
 /* ---- parts that are up to date ---- */
 
 /* Reads the part's outputs and numbers from its line. Returns false if an output is another or has changed. */
-static bool take_results(sweep_manifest *m, sweep_part *p, lsp_json line) {
-  const lsp_json_reader *r = &m->reader;
-  lsp_json files = lsp_json_at(r, line, "files"), numbers = lsp_json_at(r, line, "numbers"), one;
-  const char *name;
+static bool take_results(sweep_manifest *m, sweep_part *p, cli_data line) {
+  const cli_data_reader *r = &m->reader;
+  cli_data files = cli_data_at(r, line, "files"), numbers = cli_data_at(r, line, "numbers");
   size_t count = 0;
-  for (; (one = lsp_json_member(r, files, count, &name)) != NULL; count++) {
-    const char *text = lsp_json_text(r, one, "", NULL);
+  for (cli_data_member k = cli_data_first(r, files); k; k = cli_data_next(r, files, k), count++) {
+    const char *name = cli_data_key(r, k), *text = cli_data_text(r, cli_data_value(r, k), "", NULL);
     uint64_t was, now;
     if (count == p->file_count || strcmp(name, p->files[count].path) != 0) return false;
     if (!text || sscanf(text, "%" SCNx64, &was) != 1 || !cli_part_hash_file(name, &now) || was != now) return false;
     p->files[count].hash = now;
   }
   if (count != p->file_count) return false;
-  for (count = 0; lsp_json_member(r, numbers, count, &name);) count++;
+  count = 0;
+  for (cli_data_member k = cli_data_first(r, numbers); k; k = cli_data_next(r, numbers, k)) count++;
   sweep_number *at = sweep_keep(m->table->memory, count ? count : 1, sizeof *at);
-  for (size_t i = 0; at && (one = lsp_json_member(r, numbers, i, &name)) != NULL; i++) {
+  size_t i = 0;
+  for (cli_data_member k = cli_data_first(r, numbers); at && k; k = cli_data_next(r, numbers, k), i++) {
+    const char *name = cli_data_key(r, k);
     at[i].column = sweep_number_column(m->table, name, strlen(name));
-    if (at[i].column == SIZE_MAX || !lsp_json_is_number(r, one, &at[i].value)) return false;
+    if (at[i].column == SIZE_MAX || !cli_data_is_number(r, cli_data_value(r, k), &at[i].value)) return false;
   }
-  lsp_json_is_number(r, lsp_json_at(r, line, "seconds"), &p->seconds);
+  cli_data_is_number(r, cli_data_at(r, line, "seconds"), &p->seconds);
   p->numbers = at, p->number_count = count;
   return at != NULL;
 }
@@ -293,9 +295,9 @@ static bool take_results(sweep_manifest *m, sweep_part *p, lsp_json line) {
 bool sweep_manifest_stands(sweep_manifest *m, sweep_part *p) {
   const saved *s = find(m, p->key);
   if (!s || !s->done || !is_current(m, s->inputs)) return false;
-  lsp_json line = lsp_json_read(&m->reader, s->line, s->length);
+  cli_data line = cli_data_read(&m->reader, s->line, s->length);
   bool ok = line && take_results(m, p, line);
-  lsp_json_free(&m->reader, line);
+  cli_data_free(&m->reader, line);
   if (ok) p->inputs = s->inputs, p->fate = SWEEP_STANDS;
   return ok;
 }
