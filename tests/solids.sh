@@ -53,6 +53,23 @@ END
   if [ ! -s "$work/why" ]; then echo "ok solids/radial"; else echo "not ok solids/radial"; sed 's/^/    /' "$work/why"; fi ;;
 esac
 if ! command -v node > /dev/null; then echo "skip solids: no node (package nodejs)"; exit; fi
+case solids/repaired in *"$ONLY"*) # damaged meshes, repaired: each is written without an intersection, or with a warning that it has some
+  : > "$work/why"
+  limited 60 "$vs" --quiet -e '(draw (make-sphere origin 1 #:segments 12))' -o "$work/ball.off"
+  limited 60 "$vs" --quiet -e '(draw (subtract (make-box (xyz 0 0 0) (xyz 3 3 1)) (make-cylinder (xyz 1.5 1.5 -1) 3 .7)))' -o "$work/plate.off"
+  limited 60 "$vs" --quiet -e '(draw (unite (make-box origin (xyz 2 2 2)) (make-box (xyz 1 1 1) (xyz 3 3 3))))' -o "$work/boxes.off"
+  for seed in $(seq "$([ -z "${LONG:-}" ] && echo 40 || echo 400)"); do
+    node tests/oracle/damaged.mjs "$seed" "$work/ball.off" "$work/plate.off" "$work/boxes.off" > "$work/damaged.off"
+    rm -f "$work/repaired.stl" "$work/repaired.off"
+    echo '(draw (load-mesh "damaged.off" #:repair #t))' > "$work/repaired.vs"
+    limited 60 "$vs" --quiet "$work/repaired.vs" -o "$work/repaired.stl" -o "$work/repaired.off" > "$work/said" 2>&1 || { echo "seed $seed: ended with $?"; tail -n 2 "$work/said"; } >> "$work/why"
+    for file in "$work/repaired.stl" "$work/repaired.off"; do
+      limited 60 "$BUILD/tools/crossings" "$file" | grep -q ' crossing (' || continue
+      grep -q 'touch or cross triangles' "$work/said" || { echo "seed $seed: ${file##*.} crosses itself without a warning"; cat "$work/said"; } >> "$work/why"
+    done
+  done
+  if [ -s "$work/why" ]; then echo "not ok solids/repaired"; head -n 24 "$work/why" | sed 's/^/    /'; else echo "ok solids/repaired"; fi ;;
+esac
 node $here/gen.mjs "$work" > "$work/said" 2>&1 || { echo "not ok solids: the workloads cannot be made"; exit; }
 small='b_grid_overlap_5 c_wall_50 d_menger_2 e_sphere_minus_32 e2_sphere_nearcoinc_32 f_spheres_20 g_cubes_5 g2_checker_8 h_torus_64 i_twist_40 i_twist_200 j_truss_512 k_tower_5 l_drill_50 m_arcade_10'
 names=$small
