@@ -1,12 +1,19 @@
 /* Declares the normals of triangle corners for smooth shading: smooth within a curved surface, sharp across its
- * creases. */
+ * creases. Also converts colours to linear light. */
 #ifndef VS_BACKENDS_SHADE_H
 #define VS_BACKENDS_SHADE_H
 
+#include <math.h>
 #include <stddef.h>
 #include <stdint.h>
 
 #include "backends/backend.h"
+
+/* Returns a colour of sRGB in linear light (IEC 61966-2-1). */
+static inline double vs_linear_light(double x) { return x <= 0.04045 ? x / 12.92 : pow((x + 0.055) / 1.055, 2.4); }
+static inline vs_vec3 vs_linear_color(vs_vec3 c) {
+  return vs_v3(vs_linear_light(c.x), vs_linear_light(c.y), vs_linear_light(c.z));
+}
 
 /* Allocates, resizes or frees a block, as vs_alloc_fn does: new_bytes 0 frees it. Returns NULL on failure. */
 typedef void *vs_shade_memory(void *context, void *old, size_t old_bytes, size_t new_bytes);

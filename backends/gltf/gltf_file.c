@@ -12,6 +12,7 @@
 #include "backends/gltf/gltf.h"
 #include "backends/gltf/gltf_collect.h"
 #include "backends/number_spelling.h"
+#include "backends/shade.h"
 
 typedef struct {
   vs_emitter *e;
@@ -52,9 +53,6 @@ static void json_vector(vs_writer *w, const char *name, vs_vec3 v) {
   vs_put_triple(w, "[", v, ",", "]");
 }
 
-/* conversion from sRGB to linear light, IEC 61966-2-1 */
-static double gltf_linear(double x) { return x <= 0.04045 ? x / 12.92 : pow((x + 0.055) / 1.055, 2.4); }
-
 /* ---- parts of the file ---- */
 
 static size_t padded(size_t n) { return (n + 3) & ~(size_t)3; }
@@ -88,7 +86,7 @@ static void gltf_material(vs_emitter *e, vs_writer *w, size_t number, bool lines
   if (pictured) vs_putf(w, "\"baseColorTexture\":{\"index\":%zu},", gltf_picture_number(e, number));
   vs_puts(w, "\"baseColorFactor\":");
   if (pictured) vs_puts(w, "[1,1,1,");
-  else vs_put_triple(w, "[", vs_v3(gltf_linear(color.x), gltf_linear(color.y), gltf_linear(color.z)), ",", ",");
+  else vs_put_triple(w, "[", vs_linear_color(color), ",", ",");
   vs_put_number(w, m != NULL ? 1 - 0.8 * m->transparency : 1);
   vs_puts(w, "],\"metallicFactor\":");
   vs_put_number(w, m != NULL ? m->metallic : 0);

@@ -1,0 +1,7 @@
+(units 'mm)
+(define part (layer "legs" (unite (make-box (xyz 0 0 0) (xyz 1 2 3)) (color "red" (make-cylinder (xyz 3 0 0) 1 2)))))
+(for ([i 5]) (draw (do-move (do-rotate part (make-axis origin (vxyz 1 2 3)) (* .7 i)) (vxyz (* 10 i) 0 0))))
+(draw (do-mirror (do-move part (vxyz 0 20 0)) (make-plane origin (vxyz 1 0 0))))
+(draw (do-transform (do-move part (vxyz 0 40 0)) (make-matrix 1 .3 0 0 0 1 0 0 0 0 1 0 0 0 0 1)))
+(draw (layer "a/b" #:color "blue" (make-line (xyz 0 0 0) (xyz 5 5 5) (xyz 6 6 0)) (make-line origin (xyz 0 0 9))))
+(draw (subtract (layer "cut" (color "green" (make-box (xyz 0 60 0) (xyz 5 65 5)))) (make-sphere (xyz 0 60 0) 3)))
