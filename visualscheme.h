@@ -566,8 +566,8 @@ typedef struct {
   bool count;            /* Whether the statistics count nodes, and commands with and without each pass. The passes then
                           * run once more for each count */
   bool strict;           /* whether it is an error, not a warning, if the format omits or changes part of the model */
-  bool change;           /* whether to write the result of vs_drawing_compare in place of the drawing: added parts
-                          * green, removed parts red */
+  bool change;           /* whether to write the result of vs_drawing_compare: added parts green, removed parts red */
+  bool up_y;             /* whether formats of models without an axis of their own get Y upwards, as games want it */
   bool last;             /* whether no other drawing or output follows, so that the interpreter caches nothing */
   int crop[4];           /* part of a .png or .exr: left, top, width, height in pixels; all 0: the whole picture */
   unsigned threads;      /* number of processors for POV-Ray; 0: all. It does not change the picture */

@@ -66,6 +66,7 @@ typedef enum {
                               * the driver first computes a single region */
   VS_KEEPS_TEXT = 1 << 11,   /* the text of a node depends only on the values in its cache key, not on earlier output;
                               * so the text can be cached for the next output */
+  VS_TURNS = 1 << 13,        /* --up y turns the drawing for this format, which prescribes no upward axis */
   VS_VERBATIM = 1 << 12      /* the driver emits every node as it is, including empty nodes, and visits the children of
                               * all kinds */
 } vs_backend_trait;

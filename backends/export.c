@@ -250,6 +250,18 @@ static bool export_render_to(vs_emitter *e, vs_sink_fn *sink, void *context) {
 
 const char *vs_export_family(const vs_format *format) { return format->backend->family; }
 
+/* Turns the drawing from Z upwards to Y upwards: x, y and z become x, z and -y. */
+static bool turn_up(vs_scene *scene, vs_error *e) {
+  static const struct vs_transform turn = { .matrix = { { { 1, 0, 0, 0 }, { 0, 0, 1, 0 }, { 0, -1, 0, 0 } } } };
+  for (size_t i = 0; i < scene->drawn_count; i++) {
+    vs_node *turned = vs_node_new(scene->store, VS_TRANSFORM, &turn, &scene->drawn[i], 1);
+    if (turned == NULL) return vs_error_memory(e, NULL);
+    vs_node_release(scene->drawn[i].node);
+    scene->drawn[i].node = turned;
+  }
+  return true;
+}
+
 bool vs_export_sugar(vs_scene *scene, const vs_format *format, const vs_export_options *options, vs_error *e) {
   const vs_backend *b = format->backend;
   char output[24];
@@ -262,7 +274,8 @@ bool vs_export_sugar(vs_scene *scene, const vs_format *format, const vs_export_o
                           .muted = options->safe,
                           .job = options->job };
   if (vs_backend_has(b, VS_SHOWS_GHOSTS_IN_DRAFTS) && options->quality != VS_RENDER_DRAFT) o.ghosts = VS_MARKS_DROP;
-  return vs_scene_sugar(scene, &o, e);
+  return vs_scene_sugar(scene, &o, e) &&
+         (!options->up_y || !vs_backend_has(b, VS_TURNS) || turn_up(scene, e));
 }
 
 /* The emitter of an export. Its options, job and error are used if the caller does not pass any. */

@@ -26,6 +26,7 @@ typedef struct {
   unsigned threads;   /* number of processors that a worker program may use; 0: all processors */
   const void *given;  /* finished text that vs_backend_given writes instead of a drawing */
   size_t given_size;
+  bool up_y;          /* true if a format with VS_TURNS gets the model with Y upwards, not Z */
   bool strict;        /* true if a warning that a format omits or changes an object becomes an error */
   bool safe;          /* true if limits are set, so that no text of the user reaches a target program as directives */
   const vs_known_files *inputs; /* input files of the drawing, which are never replaced; NULL: none */

@@ -211,6 +211,11 @@ static bool take_quality(cli_options *o, const option_row *row, const char *text
   return bad(row, text);
 }
 
+static bool take_up(cli_options *o, const option_row *row, const char *text) {
+  o->output.up_y = strcmp(text, "y") == 0;
+  return o->output.up_y || strcmp(text, "z") == 0 || bad(row, text);
+}
+
 static bool take_look(cli_options *o, const option_row *row, const char *text) {
   size_t count;
   const char *const *names = vs_look_list(&count);

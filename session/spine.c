@@ -129,6 +129,7 @@ static void set_options(writing *j) {
   j->job.limits.mesh_triangles = limits->limit_triangles;
   j->job.limits.worker_seconds = limits->limit_worker;
   e->strict = o->strict;
+  e->up_y = o->up_y;
   if (limits->limit_memory)
     j->job.limits.mesh_bytes = j->session->bytes < limits->limit_memory ? limits->limit_memory - j->session->bytes : 1;
   vs_session_size(o, e);

@@ -16,7 +16,7 @@ static bool mesh_begin(vs_emitter *e) { return !e->out->failed; }
 static bool mesh_end(vs_emitter *e) { return !e->out->failed; }
 
 #define MESH_OMIT(format)                                                                                              \
-  .omit = { [VS_CURVE] = format " holds solids: curves are omitted", \
+  .traits = VS_TURNS, .omit = { [VS_CURVE] = format " holds solids: curves are omitted", \
             [VS_REGION_CLASS] = format " holds solids: flat regions are omitted", \
             [VS_SURFACE] = format " holds solids: open surfaces are omitted" }
 
@@ -265,7 +265,9 @@ static bool ply_solid(vs_emitter *e, const vs_solid *solid) {
   if (m->vertex_count + l->point_count > UINT32_MAX)
     return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "more points than a PLY file can hold");
   if (!vs_emit_triangles(e, m->triangle_count + vs_loose_triangles(l))) return false;
-  vs_puts(w, "ply\nformat binary_little_endian 1.0\ncomment made by VisualScheme; Z is up, lengths in ");
+  vs_puts(w, "ply\nformat binary_little_endian 1.0\ncomment made by VisualScheme; ");
+  vs_puts(w, e->options->up_y ? "Y" : "Z");
+  vs_puts(w, " is up, lengths in ");
   vs_puts(w, e->scene->units);
   vs_putf(w, "\nelement vertex %lu\nproperty double x\nproperty double y\nproperty double z\n",
       (unsigned long)(m->vertex_count + l->point_count));
@@ -282,7 +284,9 @@ static bool ply_solid(vs_emitter *e, const vs_solid *solid) {
          ply_loose(e, base, false) && ply_loose(e, base, true);
 }
 
-const vs_backend vs_backend_ply = { .begin = vs_loose_begin, .end = mesh_end, .solid = ply_solid, VS_LOOSE_SHAPES(0) };
+const vs_backend vs_backend_ply = {
+  .begin = vs_loose_begin, .end = mesh_end, .solid = ply_solid, VS_LOOSE_SHAPES(VS_TURNS)
+};
 
 /* ---- OBJ ---- */
 
@@ -448,7 +452,7 @@ static bool obj_solid(vs_emitter *e, const vs_solid *solid) {
   const vs_mesh *m = &solid->mesh;
   vs_writer *w = e->out;
   if (!vs_emit_triangles(e, m->triangle_count + vs_loose_triangles(e->state))) return false;
-  vs_puts(w, "# made by VisualScheme; Z is up\n");
+  vs_puts(w, e->options->up_y ? "# made by VisualScheme; Y is up\n" : "# made by VisualScheme; Z is up\n");
   if (e->path != NULL) {
     char *library = obj_library(e->path);
     if (library == NULL) return vs_emit_no_memory(e);
@@ -494,5 +498,5 @@ static bool obj_beside(vs_emitter *e) {
 
 const vs_backend vs_backend_obj = {
   .begin = vs_loose_begin, .end = mesh_end, .solid = obj_solid, .numbers = VS_NUMBERS_DIGITS, .beside = obj_beside,
-  VS_LOOSE_SHAPES(0)
+  VS_LOOSE_SHAPES(VS_TURNS)
 };

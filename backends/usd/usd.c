@@ -375,7 +375,9 @@ static bool usd_begin(vs_emitter *e) {
   if (e->scene->has_ground && !vs_emit_warn_once(e, NULL, "USD: the ground is omitted")) return false;
   vs_puts(w, "#usda 1.0\n(\n    defaultPrim = \"Model\"\n    metersPerUnit = ");
   vs_put_number(w, vs_scene_metres(e->scene));
-  vs_puts(w, "\n    upAxis = \"Z\"\n)\n\ndef Xform \"Model\" (\n    kind = \"component\"\n    displayName = ");
+  vs_puts(w, "\n    upAxis = \"");
+  vs_puts(w, e->options->up_y ? "Y" : "Z");
+  vs_puts(w, "\"\n)\n\ndef Xform \"Model\" (\n    kind = \"component\"\n    displayName = ");
   put_text(w, e->scene->title);
   vs_puts(w, "\n) {\n");
   put_points(e, "color3f[] primvars:displayColor", (const vs_vec3[1]){ vs_linear_color(vs_v3(0.86, 0.85, 0.83)) }, 1);
@@ -403,5 +405,5 @@ static void usd_close(vs_emitter *e) {
 }
 
 const vs_backend vs_backend_usda = { .begin = usd_begin, .end = usd_end, .close = usd_close,
-                                     .define = usd_define, .use = usd_use,
+                                     .define = usd_define, .use = usd_use, .traits = VS_TURNS,
                                      VS_EMIT_SHAPES(usd_leaf, usd_line, usd_through, usd_boolean) };

@@ -63,6 +63,7 @@ warns of omitted shapes, but not of colours and names that a format cannot hold.
   lines.
 - [Drawings](drawings.md) (`.svg .pdf .dxf`) show solids, surfaces and curves by their lines.
 - `.tree` files contain all kinds.
+- `--up y` turns `.obj`, `.ply`, `.stl`, `.off`, `.usda` and `--format dxf-3d`, so that Y points upwards.
 
 A warning names the place of the first omitted shape, and `vs` writes all other objects. With `--strict` an omission is
 an error. In pictures (`.png .exr`, and `.pov`) curves are at least two pixels wide. Curves, flat regions, text and open
