@@ -30,7 +30,7 @@ said() { if grep -a -q -e "$1" "$work/looks.words"; then printf ' | yes'; else p
 echo
 echo '| ending | colours | names of materials | layers | units |'
 echo '|---|---|---|---|---|'
-for format in pov scad x3d html glb usda 3mf obj ply off stl tree; do
+for format in pov scad x3d html glb usda ifc 3mf obj ply off stl tree; do
   rm -f "$work"/looks.[!v]*
   "$vs" --quiet "$work/looks.vs" -o "$work/looks.$format"
   case $format in
@@ -40,10 +40,10 @@ for format in pov scad x3d html glb usda 3mf obj ply off stl tree; do
     *) cp "$work/looks.$format" "$work/looks.words" ;;
   esac
   printf '| `.%s`' $format
-  said 'rgb <\|color(\|diffuseColor=\|baseColorFactor\|olor="#\|^Kd\|property uchar red\|0\.501960784314 0\.25\|baseColor\|inputs:diffuseColor'
+  said 'rgb <\|color(\|diffuseColor=\|baseColorFactor\|olor="#\|^Kd\|property uchar red\|0\.501960784314 0\.25\|baseColor\|inputs:diffuseColor\|IFCCOLOURRGB'
   said 'oak'
   said 'walls'
-  said '[^a-z]mm\($\|[^a-z]\)\|millimeter\|"scale":\[0.001\|metersPerUnit = 0.001'
+  said '[^a-z]mm\($\|[^a-z]\)\|millimeter\|"scale":\[0.001\|metersPerUnit = 0.001\|MILLI'
   echo ' |'
 done
 cat <<'EOF'
@@ -56,8 +56,9 @@ cat <<'EOF'
 If a cell has several entries, the object decides: a straight extrusion can be native, a tapered one triangles. `vs`
 warns of omitted shapes, but not of colours and names that a format cannot hold.
 
-- The column *POV-Ray* also holds for `.png` and `.exr`, *X3D* for `.x3dv` and `.html`, *glTF* for `--format dxf-3d`
-  and `.usda`, whose boxes, spheres, cylinders and cones are native.
+- The column *POV-Ray* also holds for `.png` and `.exr`, *X3D* for `.x3dv` and `.html`, *glTF* for `--format dxf-3d`.
+- The column *glTF* also holds for `.usda`, whose boxes, spheres, cylinders and cones are native, and for `.ifc`, which
+  omits curves; its boxes, cylinders and straight extrusions are native.
 - The column *meshes* is for formats of triangles (`.stl .3mf .obj .ply .off`), which contain the union of solids.
   `.obj`, `.ply` and `.off` also contain regions and open surfaces, as open faces; `.obj` and `.ply` contain curves, as
   lines.
