@@ -76,13 +76,31 @@ static void model_triangle(vs_emitter *e, const vs_solid_copies *c, const vs_mes
   vs_puts(w, "\"/>\n");
 }
 
-/* Writes a mesh as an object. twin: true if the mesh is mirrored in x and the order of its triangles' corners is
- * reversed. */
+/* Returns the layer of all triangles of a mesh, or NULL if they have several or none. */
+static const char *model_layer(const vs_solid_copies *c, const vs_mesh *m) {
+  const char *layer = NULL;
+  for (size_t i = 0; i < m->triangle_count; i++) {
+    uint32_t tag = m->tags != NULL ? m->tags[i] : 0;
+    const char *own = tag < c->part_count ? c->parts[tag].layer : NULL;
+    if (own == NULL || (i > 0 && own != layer)) return NULL;
+    layer = own;
+  }
+  return layer;
+}
+
+/* Writes a mesh as an object, which has the name of its layer. twin: true if the mesh is mirrored in x and the order of
+ * its triangles' corners is reversed. */
 static void model_object(vs_emitter *e, const vs_solid_copies *c, size_t mesh, size_t id, bool twin) {
   const vs_mesh *m = &c->meshes.meshes[mesh];
   vs_writer *w = e->out;
   if (!vs_emit_triangles(e, m->triangle_count)) w->failed = true;
-  vs_putf(w, "<object id=\"%zu\" type=\"model\" pid=\"1\" pindex=\"0\">\n<mesh>\n<vertices>\n", id);
+  const char *layer = model_layer(c, m);
+  vs_putf(w, "<object id=\"%zu\" type=\"model\" pid=\"1\" pindex=\"0", id);
+  if (layer != NULL) {
+    vs_puts(w, "\" name=\"");
+    vs_put_xml(w, layer);
+  }
+  vs_puts(w, "\">\n<mesh>\n<vertices>\n");
   for (size_t i = 0; i < m->vertex_count && !w->failed; i++) {
     vs_vec3 v = m->vertices[i];
     vs_puts(w, "<vertex x=\"");
