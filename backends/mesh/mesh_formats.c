@@ -190,18 +190,25 @@ const vs_backend vs_backend_off = {
 };
 
 /* ---- PLY: binary, little-endian, coordinates as doubles; each face has its own colour, because faces of different
- * colours may have a common corner ---- */
+ * colours may have a common corner. Many programs read the colours of vertices alone, so that a drawing with materials
+ * has them, too: a vertex has the colour of the last of its faces ---- */
 
 static uint8_t ply_level(double x) { return (uint8_t)lround(255 * x); }
 
-enum { PLY_CORNER = 24, PLY_FACE = 17 };
+enum { PLY_CORNER = 28, PLY_FACE = 17 };
+
+/* The vertices, and their colours or NULL. */
+typedef struct { const vs_vec3 *at; const unsigned char (*paints)[4]; } ply_points;
 
 static char *ply_corners(const void *context, size_t begin, size_t end, char *at) {
-  const vs_mesh *m = context;
+  const ply_points *p = context;
   unsigned char *to = (unsigned char *)at;
   for (size_t i = begin; i < end; i++) {
-    vs_vec3 v = m->vertices[i];
+    vs_vec3 v = p->at[i];
     to = vs_le_double(vs_le_double(vs_le_double(to, v.x), v.y), v.z);
+    if (p->paints == NULL) continue;
+    memcpy(to, p->paints[i], sizeof p->paints[i]);
+    to += sizeof p->paints[i];
   }
   return (char *)to;
 }
@@ -252,11 +259,39 @@ static bool ply_loose(vs_emitter *e, uint32_t base, bool lines) {
   return !e->out->failed;
 }
 
-static bool ply_loose_points(vs_emitter *e) {
-  const vs_loose *l = e->state;
-  vs_mesh points = { .vertices = l->points, .vertex_count = l->point_count };
-  return l->point_count == 0 || mesh_put(e, l->point_count, PLY_CORNER, ply_corners, &points);
+/* Sets the colours of all vertices: those of solids, then those of open faces and lines. */
+static void ply_paints(const vs_solid *solid, const vs_loose *l, unsigned char (*paints)[4]) {
+  const vs_mesh *m = &solid->mesh;
+  for (size_t i = 0; i < m->triangle_count; i++) {
+    size_t part = mesh_part(solid, i);
+    unsigned char paint[4];
+    ply_paint(part < solid->part_count ? solid->parts[part].material : NULL, paint);
+    for (int k = 0; k < 3; k++) memcpy(paints[m->triangles[i][k]], paint, sizeof paint);
+  }
+  for (size_t i = 0; i < l->run_count; i++) {
+    unsigned char paint[4];
+    ply_paint(l->runs[i].material, paint);
+    for (size_t k = 0; k < l->runs[i].count; k++)
+      memcpy(paints[m->vertex_count + l->corners[l->runs[i].first + k]], paint, sizeof paint);
+  }
 }
+
+/* Writes the vertices. coloured: with their colours. */
+static bool ply_vertices(vs_emitter *e, const vs_solid *solid, bool coloured) {
+  const vs_loose *l = e->state;
+  size_t own = solid->mesh.vertex_count, count = own + l->point_count;
+  unsigned char (*paints)[4] = coloured ? vs_zeros(count + 1, sizeof *paints) : NULL;
+  if (coloured && paints == NULL) return vs_emit_no_memory(e);
+  if (coloured) ply_paints(solid, l, paints);
+  const unsigned char (*painted)[4] = (const unsigned char (*)[4])paints;
+  ply_points solids = { solid->mesh.vertices, painted }, loose = { l->points, painted != NULL ? painted + own : NULL };
+  bool ok = mesh_put(e, own, PLY_CORNER, ply_corners, &solids) &&
+            (l->point_count == 0 || mesh_put(e, l->point_count, PLY_CORNER, ply_corners, &loose));
+  free(paints);
+  return ok;
+}
+
+#define PLY_COLOUR "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\n"
 
 static bool ply_solid(vs_emitter *e, const vs_solid *solid) {
   const vs_mesh *m = &solid->mesh;
@@ -271,17 +306,19 @@ static bool ply_solid(vs_emitter *e, const vs_solid *solid) {
   vs_puts(w, e->scene->units);
   vs_putf(w, "\nelement vertex %lu\nproperty double x\nproperty double y\nproperty double z\n",
       (unsigned long)(m->vertex_count + l->point_count));
+  bool coloured = vs_emit_material_count(e) > 0;
+  if (coloured) vs_puts(w, PLY_COLOUR);
   vs_putf(w, "element face %lu\nproperty list uchar uint vertex_indices\n",
       (unsigned long)(m->triangle_count + vs_loose_triangles(l)));
-  vs_puts(w, "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\n");
+  vs_puts(w, PLY_COLOUR);
   if (vs_loose_pieces(l) > 0) {
     vs_putf(w, "element edge %lu\nproperty int vertex1\nproperty int vertex2\n", (unsigned long)vs_loose_pieces(l));
     vs_puts(w, "property uchar red\nproperty uchar green\nproperty uchar blue\n");
   }
   uint32_t base = (uint32_t)m->vertex_count;
-  return vs_puts(w, "end_header\n") && mesh_put(e, m->vertex_count, PLY_CORNER, ply_corners, m) &&
-         ply_loose_points(e) && mesh_put(e, m->triangle_count, PLY_FACE, ply_faces, solid) &&
-         ply_loose(e, base, false) && ply_loose(e, base, true);
+  return vs_puts(w, "end_header\n") && ply_vertices(e, solid, coloured) &&
+         mesh_put(e, m->triangle_count, PLY_FACE, ply_faces, solid) && ply_loose(e, base, false) &&
+         ply_loose(e, base, true);
 }
 
 const vs_backend vs_backend_ply = {

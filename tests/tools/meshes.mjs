@@ -11,8 +11,9 @@ const triangles = [] // of three points each
 function ply() {
   const text = bytes.toString('latin1'), head = text.slice(0, text.indexOf('end_header\n') + 11)
   const count = what => Number(new RegExp(`element ${what} (\\d+)`).exec(head)[1])
+  const stride = /z\nproperty uchar red/.test(head) ? 28 : 24 // colours of vertices
   let at = head.length
-  const points = Array.from({ length: count('vertex') }, () => [0, 8, 16].map(o => bytes.readDoubleLE(at + o)).concat(at += 24).slice(0, 3))
+  const points = Array.from({ length: count('vertex') }, () => [0, 8, 16].map(o => bytes.readDoubleLE(at + o)).concat(at += stride).slice(0, 3))
   const edges = new Map()
   for (let i = count('face'); i > 0; i--, at += 17) {
     if (bytes[at] !== 3) fail('a face is no triangle')
