@@ -304,7 +304,7 @@ static vs_outcome write_all(cli_session *c) {
   if (outcome != VS_OUTCOME_DONE) return outcome;
   for (size_t i = 0; i < c->options->target_count && outcome != VS_OUTCOME_INTERRUPTED; i++) {
     c->options->output.last = i + 1 == c->options->target_count && !c->options->interactive &&
-                              c->frame == c->options->frames.count;
+                              c->frame == c->options->frames.to;
     vs_outcome one = write_target(c, &c->options->targets[i], cli_session_write);
     if (one == VS_OUTCOME_INTERRUPTED || outcome == VS_OUTCOME_DONE) outcome = one;
   }
@@ -378,7 +378,7 @@ static bool frame_parameter_used(cli_session *c, const cli_frames *f) {
   for (size_t i = 0; (name = vs_parameter_unused(c->scheme, i)) != NULL; i++)
     if (strcmp(name, f->parameter) == 0) {
       fprintf(stderr, "vs: --frames: the model has no parameter %s; (define-parameter %s %.1f) makes one\n", name, name,
-              f->from);
+              f->from_value);
       return false;
     }
   return true;
@@ -390,7 +390,7 @@ static vs_outcome run_frames(cli_session *c) {
   const cli_frames *f = &c->options->frames;
   vs_outcome outcome = VS_OUTCOME_DONE;
   bool fresh = true;
-  for (c->frame = 1; outcome == VS_OUTCOME_DONE && !ended && c->frame <= f->count; c->frame++) {
+  for (c->frame = f->from; outcome == VS_OUTCOME_DONE && !ended && c->frame <= f->to; c->frame++) {
     if (f->resume && frame_stands(c, c->frame)) continue;
     if (!fresh) outcome = vs_restart(c->scheme);
     fresh = false;

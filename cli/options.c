@@ -12,6 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "cli/batch/ranges.h"
 #include "cli/nearby.h"
 #include "cli/sweep/set_files.h"
 
@@ -177,13 +178,21 @@ static bool take_camera(cli_options *o, const option_row *row, const char *text)
   return true;
 }
 
-/* Reads the value of --frames, "24" or "24,twist=0..90". Searches for the two dots first, since strtod would read one
- * of them as a decimal point. */
-static bool take_frames(cli_options *o, const option_row *row, const char *text) {
+/* Reads "24", "1..24" or "24,twist=0..90". Searches for the two dots first, since strtod would read one of them as a
+ * decimal point. */
+static bool take_frames(cli_options *o, const option_row *row, const char *word) {
   cli_frames *out = &o->frames;
+  const char *text = word;
   char *end, from[40] = "";
-  *out = (cli_frames){.count = strtol(text, &end, 10), .parameter = "t", .to = 1, .resume = out->resume};
-  bool ok = end != text && out->count >= 1 && out->count <= 100000;
+  *out = (cli_frames){.count = strtol(text, &end, 10), .parameter = "t", .to_value = 1, .resume = out->resume};
+  bool ok = end != text;
+  if (ok && out->count == 1 && !strncmp(end, "..", 2)) { /* 1..2000 means 2000 */
+    text = end + 2;
+    out->count = strtol(text, &end, 10);
+    ok = end != text;
+  }
+  ok = ok && out->count >= 1 && out->count <= 100000;
+  out->from = 1, out->to = out->count;
   if (ok && *end) {
     const char *equals = strchr(end, '='), *dots = equals ? strstr(equals, "..") : NULL;
     ptrdiff_t name = equals ? equals - end - 1 : 0;
@@ -193,9 +202,9 @@ static bool take_frames(cli_options *o, const option_row *row, const char *text)
       snprintf(out->parameter, sizeof out->parameter, "%.*s", (int)name, end + 1);
       snprintf(from, sizeof from, "%.*s", (int)(dots - equals - 1), equals + 1);
     }
-    ok = ok && parse_real(from, -HUGE_VAL, &out->from) && parse_real(dots + 2, -HUGE_VAL, &out->to);
+    ok = ok && parse_real(from, -HUGE_VAL, &out->from_value) && parse_real(dots + 2, -HUGE_VAL, &out->to_value);
   }
-  return ok || bad(row, text);
+  return ok || bad(row, word);
 }
 
 static bool take_quality(cli_options *o, const option_row *row, const char *text) {
@@ -765,8 +774,16 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
                    "for vs sweep\n", stderr);
     return CLI_BAD_USAGE;
   }
-  if (!sweeps && (o->sample || o->seed || o->where || o->sort || o->only)) {
-    fputs("vs: --sample, --seed, --where, --sort and --only are for vs sweep\n", stderr);
+  if (!sweeps && (o->sample || o->seed || o->where || o->sort || (o->only && !o->frames.count))) {
+    fputs("vs: --sample, --seed, --where and --sort are for vs sweep, and --only for vs sweep and --frames\n", stderr);
+    return CLI_BAD_USAGE;
+  }
+  if (o->frames.count && o->only && !cli_range_read(o->only, o->frames.count, &o->frames.from, &o->frames.to)) {
+    fprintf(stderr, "vs: --only %s: expected numbers of frames from 1 to %ld, as in 1..10\n", o->only, o->frames.count);
+    return CLI_BAD_USAGE;
+  }
+  if (o->film && o->only) {
+    fputs("vs render: --film needs all frames: give it without --only, when all parts are done\n", stderr);
     return CLI_BAD_USAGE;
   }
   for (size_t i = 0; !(takes & (CLI_TAKES_PICTURE)) && i < o->source_count; i++) {

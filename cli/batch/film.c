@@ -87,7 +87,8 @@ void cli_frame_number(const cli_frames *f, long frame, char out[CLI_FRAME_ROOM])
 }
 
 void cli_frame_value(const cli_frames *f, long frame, char out[CLI_FRAME_ROOM]) {
-  double x = f->count > 1 ? f->from + (f->to - f->from) * (double)(frame - 1) / (double)(f->count - 1) : f->from;
+  double x = f->count > 1 ? f->from_value + (f->to_value - f->from_value) * (double)(frame - 1) / (double)(f->count - 1)
+                          : f->from_value;
   if (x == floor(x) && fabs(x) < 1e15) snprintf(out, CLI_FRAME_ROOM, "%.0f", x + 0.0);
   else snprintf(out, CLI_FRAME_ROOM, "%.17g", x);
 }

@@ -8,8 +8,14 @@
 #include "visualscheme.h"
 
 /* The option --frames: the model runs `count` times (0 without the option), and the parameter changes in equal steps
- * from `from` to `to`. resume: frames that are newer than the model are not made again. */
-typedef struct { long count; char parameter[64]; double from, to; bool resume; } cli_frames;
+ * from from_value to to_value. */
+typedef struct {
+  long count;
+  char parameter[64];
+  double from_value, to_value;
+  long from, to; /* the frames to make, from 1 to count without --only; 0 and 0 without --frames */
+  bool resume;
+} cli_frames;
 
 enum { CLI_FRAME_ROOM = 40 };
 /* Writes the frame's number for a file name: with at least three digits, so that names sort in order. */

@@ -10,6 +10,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <inttypes.h>
+#include <poll.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,6 +24,7 @@
 #include "cli/batch/film.h"
 #include "cli/batch/inputs_told.h"
 #include "cli/batch/part_files.h"
+#include "cli/batch/ranges.h"
 #include "cli/json.h"
 
 enum { PATH_ROOM = 4096, MOST = 100000, EXPOSURE_ROOM = 24 };
@@ -61,7 +63,9 @@ typedef struct {
   char threads[24];           /* number of processors for each picture, as text, if several are made at a time; empty:
                                * all */
   const char *manifest_path;  /* path of the manifest, or NULL */
-  int lock;                   /* descriptor of the locked manifest, or -1 */
+  const char *whole_path;     /* path of the manifest of all pictures; with --only, manifest_path is another */
+  int lock, shared;           /* descriptors of the locked manifests, or -1. shared: with --only, that of all
+                               * pictures */
   bool manifest_made;         /* whether this run has created the manifest, empty, to lock it */
   bool unwritten;             /* whether writing the manifest failed, and this was reported */
   int told;                   /* descriptor of the file for the names of files read by the runs, or -1 */
@@ -144,17 +148,23 @@ static void say(void *context, const vs_diagnostic *d) {
             d->message);
 }
 
+/* Returns the frame's set of parameters, which the caller frees: `given`, and the parameter of the frame. NULL when
+ * memory is out. */
+static char *set_of_frame(const cli_frames *f, long frame, const char *given) {
+  char value[CLI_FRAME_ROOM], *set = NULL;
+  cli_frame_value(f, frame, value);
+  return asprintf(&set, "%s%s%s=%s", given ? given : "", given ? "," : "", f->parameter, value) < 0 ? NULL : set;
+}
+
 /* Adds a picture to the batch. With --frames, adds a picture for each frame, whose parameter is appended to the set. */
 static bool add_frames(batch *b, const char *model, size_t set, const char *view) {
   const cli_options *o = b->options;
   const char *given = o->set_count ? o->sets[set] : NULL;
   char name[PATH_ROOM];
   bool ok = true;
-  for (long frame = o->frames.count > 0; ok && frame <= o->frames.count; frame++) {
-    char value[CLI_FRAME_ROOM], *with = NULL;
-    if (frame) cli_frame_value(&o->frames, frame, value);
-    if (frame && asprintf(&with, "%s%s%s=%s", given ? given : "", given ? "," : "", o->frames.parameter, value) < 0)
-      return no_memory();
+  for (long frame = o->frames.from; ok && frame <= o->frames.to; frame++) {
+    char *with = frame ? set_of_frame(&o->frames, frame, given) : NULL;
+    if (frame && !with) return no_memory();
     ok = name_picture(b, model, set, view, frame, name) &&
          add_picture(b, model, frame ? with : given, view, frame, name);
     if (ok) b->at[b->count - 1].given = given;
@@ -197,10 +207,10 @@ static char *read_text(const char *path) {
   return text;
 }
 
-/* Returns the line about the picture in the manifest of the last run, without comma and line end, or NULL.
- * write_manifest writes one line for each picture. If the manifest was not written in this form, all pictures are made
- * again. */
-static const char *line_of(const batch *b, const picture *p, size_t *length) {
+/* Returns the next line about the picture after `after` (NULL: the first) in the manifests of the last runs, without
+ * comma and line end, or NULL. write_manifest writes one line for each picture. If the manifest has another form,
+ * pictures are just made again. */
+static const char *next_line_of(const batch *b, const picture *p, const char *after, size_t *length) {
   char *key = NULL;
   size_t size = 0;
   FILE *to = b->manifest ? open_memstream(&key, &size) : NULL;
@@ -208,14 +218,18 @@ static const char *line_of(const batch *b, const picture *p, size_t *length) {
   fputs("{\"file\": ", to);
   cli_json_text(to, p->file);
   fputs(", ", to);
-  const char *line = fclose(to) == 0 ? strstr(b->manifest, key) : NULL;
+  const char *line = fclose(to) == 0 ? strstr(after ? after + 1 : b->manifest, key) : NULL;
   free(key);
   *length = line ? strcspn(line, "\n") : 0;
   if (*length > 0 && line[*length - 1] == ',') --*length;
   return line;
 }
 
-/* Returns true if the manifest lists the picture with this scene, and its file still has the listed hash. */
+static const char *line_of(const batch *b, const picture *p, size_t *length) {
+  return next_line_of(b, p, NULL, length);
+}
+
+/* Returns true if a manifest lists the picture with this scene, and its file still has the listed hash. */
 static bool is_up_to_date(const batch *b, const picture *p, uint64_t scene) {
   char wanted[80];
   uint64_t bytes;
@@ -223,8 +237,11 @@ static bool is_up_to_date(const batch *b, const picture *p, uint64_t scene) {
   const char *line = line_of(b, p, &length);
   if (!line || !cli_part_hash_file(p->file, &bytes)) return false;
   snprintf(wanted, sizeof wanted, "\"scene\": \"%016" PRIx64 "\", \"hash\": \"%016" PRIx64 "\"", scene, bytes);
-  const char *found = strstr(line, wanted);
-  return found && found < line + length;
+  for (; line; line = next_line_of(b, p, line, &length)) {
+    const char *found = strstr(line, wanted);
+    if (found && found < line + length) return true;
+  }
+  return false;
 }
 
 static void manifest_picture(FILE *to, const picture *p) {
@@ -355,6 +372,20 @@ static void await(const batch *b, pid_t process, int *status) {
   }
 }
 
+/* Updates *hash with all that the process writes into the pipe. When the batch ends, the process is asked to end,
+ * too. */
+static void hash_output(const batch *b, pid_t process, int from, uint64_t *hash) {
+  unsigned char part[1 << 14];
+  for (bool asked = false;;) {
+    struct pollfd ready = {.fd = from, .events = POLLIN};
+    if (*b->ended && !asked) asked = true, kill(process, SIGTERM);
+    if (poll(&ready, 1, 200) <= 0) continue; /* a signal may come between the question and the wait */
+    ssize_t n = read(from, part, sizeof part);
+    if (n > 0) *hash = cli_part_hash(*hash, part, (size_t)n);
+    else if (n == 0 || errno != EINTR) return;
+  }
+}
+
 /* Runs the command for the picture and returns its exit code. If hash is not NULL, updates *hash with the command's
  * standard output. */
 static int run(const batch *b, const picture *p, const char *file, uint64_t *hash) {
@@ -371,12 +402,7 @@ static int run(const batch *b, const picture *p, const char *file, uint64_t *has
     _exit(VS_OUTCOME_MACHINE);
   }
   if (hash) close(ends[1]);
-  unsigned char part[1 << 14];
-  for (ssize_t n = 1; hash && child > 0 && n != 0;) {
-    n = read(ends[0], part, sizeof part);
-    if (n > 0) *hash = cli_part_hash(*hash, part, (size_t)n);
-    else if (n < 0 && errno != EINTR) break;
-  }
+  if (hash && child > 0) hash_output(b, child, ends[0], hash);
   if (hash) close(ends[0]);
   if (child > 0) await(b, child, &status);
   free(words), free(defines);
@@ -420,17 +446,17 @@ static result make(const batch *b, const picture *p) {
  * frame once more, as linear light, and uses its exposure for all frames. The manifest stores this exposure with the
  * hash of the first frame's scene, for a run that continues the film. */
 
-/* Sets the picture's exposure to that of the last run, if the scene of the first frame has not changed. Otherwise
- * returns false. */
+/* Sets the picture's exposure to that of an earlier run, of any part of the film, if the scene of the first frame has
+ * not changed. Otherwise returns false. */
 static bool recall_exposure(const batch *b, picture *p) {
+  static const char before[] = ", \"exposure\": ";
   char wanted[60];
-  size_t length, n = 0;
-  const char *line = line_of(b, p, &length), *from = line ? strstr(line, ", \"exposure\": ") : NULL;
-  if (!from || from >= line + length) return false;
-  from += strlen(", \"exposure\": ");
-  n = strspn(from, "-.0123456789");
   snprintf(wanted, sizeof wanted, ", \"metered\": \"%016" PRIx64 "\"", p->metered);
-  if (n == 0 || n >= EXPOSURE_ROOM || strncmp(from + n, wanted, strlen(wanted)) != 0) return false;
+  const char *end = b->manifest ? strstr(b->manifest, wanted) : NULL, *from = end;
+  while (from && from > b->manifest && strchr("-.0123456789", from[-1])) from--;
+  size_t n = (size_t)(end - from), room = strlen(before);
+  if (n == 0 || n >= EXPOSURE_ROOM || from < b->manifest + room || strncmp(from - room, before, room) != 0)
+    return false;
   memcpy(p->exposure, from, n), p->exposure[n] = 0;
   return true;
 }
@@ -458,15 +484,29 @@ static bool is_png(const char *file) {
   return dot && !strcmp(dot, ".png");
 }
 
-/* Sets the exposure of each film from the film's first frame. Marks a first frame that fails. */
+/* Sets the exposure of the picture, a frame of a film, from the film's first frame. The first frame need not be in the
+ * batch (--only). Returns the exit code. */
+static int expose(const batch *b, picture *p) {
+  picture first = *p;
+  char *set = p->frame > 1 ? set_of_frame(&b->options->frames, 1, p->given) : NULL;
+  if (p->frame > 1 && !set) return no_memory(), VS_OUTCOME_MACHINE;
+  if (set) first.set = set, first.known = false;
+  int code = first.known ? VS_OUTCOME_DONE : hash_model(b, &first, &first.metered);
+  if (first.known) first.metered = p->result.model;
+  if (code == VS_OUTCOME_DONE && !recall_exposure(b, &first)) code = meter(b, &first);
+  free(set);
+  p->metered = first.metered;
+  strcpy(p->exposure, first.exposure);
+  return code;
+}
+
+/* Sets the exposure of each film from its first frame. A film whose first frame fails is marked as failed. */
 static void expose_films(batch *b, const volatile sig_atomic_t *ended) {
   for (size_t from = 0, to; from < b->count && !*ended; from = to) {
     picture *p = &b->at[from];
     for (to = from + 1; to < b->count && b->at[to].frame > b->at[to - 1].frame;) to++;
     if (!p->frame || p->failed || !is_png(p->file) || b->options->output.development.fixed) continue;
-    int code = p->known ? VS_OUTCOME_DONE : hash_model(b, p, &p->metered);
-    if (p->known) p->metered = p->result.model;
-    if (code == VS_OUTCOME_DONE && !recall_exposure(b, p)) code = meter(b, p);
+    int code = expose(b, p);
     if (code != VS_OUTCOME_DONE && !*ended) {
       p->result.fate = FAILED, p->result.code = code;
       if (!b->options->quiet) printf("%s: failed\n", p->file);
@@ -493,6 +533,8 @@ static bool start(batch *b, picture *p, picture_work *work) {
   p->process = fork();
   if (p->process == 0) {
     close(ends[0]);
+    if (b->lock >= 0) close(b->lock); /* the lock ends with the batch, not with its last process */
+    if (b->shared >= 0) close(b->shared);
     die_with_parent(SIGKILL); /* a process that waits for the model's run does not react to SIGTERM, so it asks for
                                * SIGKILL */
     result r = work(b, p);
@@ -525,15 +567,19 @@ static bool take_manifest(batch *b) {
   b->manifest_made = b->lock >= 0;
   if (b->lock < 0) b->lock = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (b->lock < 0) return fprintf(stderr, "vs render: cannot write %s: %s\n", path, strerror(errno)), false;
-  bool taken = flock(b->lock, LOCK_EX | LOCK_NB) == 0 && fstat(b->lock, &mine) == 0 && stat(path, &named) == 0 &&
-               mine.st_ino == named.st_ino && mine.st_dev == named.st_dev;
-  if (!taken)
+  bool idle = true;
+  if (b->whole_path != path) b->shared = open(b->whole_path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  bool taken = (b->shared < 0 || flock(b->shared, LOCK_SH | LOCK_NB) == 0) && flock(b->lock, LOCK_EX | LOCK_NB) == 0 &&
+               fstat(b->lock, &mine) == 0 && stat(path, &named) == 0 && mine.st_ino == named.st_ino &&
+               mine.st_dev == named.st_dev;
+  b->manifest = read_text(b->whole_path);
+  if (!cli_range_texts(b->whole_path, &b->manifest, b->whole_path == path ? &idle : NULL)) return no_memory();
+  if (!taken || !idle)
     return fprintf(stderr,
                    "vs render: %s: another run of vs is writing this manifest; wait until that run ends, or name "
                    "another file by --manifest\n",
                    path),
            false;
-  b->manifest = read_text(path);
   return true;
 }
 
@@ -695,7 +741,9 @@ static vs_outcome run_batch(batch *b) {
   for (size_t i = b->count; i-- > 0;)
     if (b->at[i].result.fate == FAILED) outcome = (vs_outcome)b->at[i].result.code;
   if (*b->ended) outcome = VS_OUTCOME_INTERRUPTED;
-  if (!b->unwritten) write_manifest(b);
+  bool complete = outcome == VS_OUTCOME_DONE;
+  if (!b->unwritten && write_manifest(b) && b->whole_path && b->whole_path == b->manifest_path && complete)
+    cli_range_remove(b->whole_path);
   if (b->unwritten && outcome == VS_OUTCOME_DONE) outcome = VS_OUTCOME_USAGE;
   if (o->film > 0 && outcome == VS_OUTCOME_DONE) outcome = make_films(b);
   if (o->sheet && !write_whole(b, o->sheet, fill_sheet, NULL) && outcome == VS_OUTCOME_DONE) outcome = VS_OUTCOME_USAGE;
@@ -703,8 +751,8 @@ static vs_outcome run_batch(batch *b) {
 }
 
 vs_outcome cli_render_command(const cli_options *o, const volatile sig_atomic_t *ended) {
-  char beside[PATH_ROOM];
-  batch b = {.options = o, .ended = ended, .lock = -1, .told = -1, .inputs = vs_new(&o->interpreter)};
+  char beside[PATH_ROOM], own[PATH_ROOM];
+  batch b = {.options = o, .ended = ended, .lock = -1, .shared = -1, .told = -1, .inputs = vs_new(&o->interpreter)};
   ssize_t length = readlink("/proc/self/exe", b.program, sizeof b.program - 1);
   vs_outcome outcome = VS_OUTCOME_MACHINE;
   if (length <= 0) fputs("vs render: the path of the vs program cannot be found\n", stderr);
@@ -714,12 +762,17 @@ vs_outcome cli_render_command(const cli_options *o, const volatile sig_atomic_t 
     b.told = cli_inputs_begin();
     share_processors(&b);
     if (make_folder(o)) {
-      b.manifest_path = manifest_of(o, beside);
-      if (prepare(&b)) outcome = run_batch(&b);
+      b.whole_path = b.manifest_path = manifest_of(o, beside);
+      bool ranged = o->only && b.whole_path, ok = true;
+      if (ranged) ok = cli_range_manifest(b.whole_path, o->frames.from, o->frames.to, own, sizeof own);
+      if (!ok) fprintf(stderr, "vs render: %s: the name is too long\n", b.whole_path);
+      if (ranged) b.manifest_path = own;
+      if (ok && prepare(&b)) outcome = run_batch(&b);
     }
   }
   for (size_t i = 0; i < b.count; i++) free(b.at[i].view), free(b.at[i].file), free(b.at[i].set);
   if (b.lock >= 0) close(b.lock);
+  if (b.shared >= 0) close(b.shared);
   if (b.told >= 0) close(b.told);
   free(b.at), free(b.manifest);
   vs_free(b.inputs);

@@ -131,6 +131,7 @@ static void run_here(sweep *w, const runner *r, int numbers, pid_t parent) {
   cli_options o = *w->options;
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (getppid() != parent) _exit(VS_OUTCOME_INTERRUPTED);
+  if (w->manifest) sweep_manifest_let_go(w->manifest);
   int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
   if (nowhere >= 0) dup2(nowhere, STDOUT_FILENO);
   if (r->messages >= 0) dup2(r->messages, STDERR_FILENO);

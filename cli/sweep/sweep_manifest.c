@@ -254,10 +254,14 @@ sweep_manifest *sweep_manifest_open(sweep_table *t, const char *folder, const ch
   return NULL;
 }
 
-void sweep_manifest_close(sweep_manifest *m) {
-  if (!m) return;
+void sweep_manifest_let_go(const sweep_manifest *m) {
   if (m->file >= 0) close(m->file);
   if (m->shared >= 0) close(m->shared);
+}
+
+void sweep_manifest_close(sweep_manifest *m) {
+  if (!m) return;
+  sweep_manifest_let_go(m);
   if (m->reads) cli_data_close(&m->reader);
   free(m->groups), free(m->saved), free(m->hashed);
   free(m);

@@ -30,6 +30,8 @@ uint64_t sweep_manifest_inputs(sweep_manifest *m, const char *names, size_t leng
 bool sweep_manifest_add(sweep_manifest *m, const sweep_part *p);
 /* Replaces all manifests of the folder by one without repeated and outdated lines. Returns false after a message. */
 bool sweep_manifest_join(sweep_manifest *m);
+/* In a process that outlives a killed sweep by a moment: closes the files, whose lock would last as long. */
+void sweep_manifest_let_go(const sweep_manifest *m);
 const char *sweep_manifest_path(const sweep_manifest *m);
 void sweep_manifest_close(sweep_manifest *m); /* m may be NULL */
 

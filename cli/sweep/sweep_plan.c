@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 
 #include "cli/batch/part_files.h"
+#include "cli/batch/ranges.h"
 #include "cli/sweep/samples.h"
 #include "model/store/array.h"
 
@@ -224,18 +225,16 @@ static bool add_parts(sweep_plan *p, const sweep_sample *s) {
 
 static bool read_only(sweep_plan *p) {
   const char *text = p->options->only;
-  char *end, name[64];
+  char name[64];
+  long from, to;
   p->from = 0, p->to = p->table.count;
   if (!text) return true;
-  long from = strtol(text, &end, 10), to = from;
-  bool ok = end != text && (!*end || !strncmp(end, "..", 2));
-  if (ok && *end) to = strtol(end + 2, &end, 10), ok = !*end;
-  if (!ok || from < 1 || to < from || (size_t)from > p->table.count) {
+  if (!cli_range_read(text, (long)p->table.count, &from, &to)) {
     fprintf(stderr, "vs sweep: --only %s: expected numbers of sets from 1 to %zu, as in 1..10\n", text, p->table.count);
     return false;
   }
   p->from = (size_t)from - 1;
-  p->to = (size_t)to < p->table.count ? (size_t)to : p->table.count;
+  p->to = (size_t)to;
   snprintf(name, sizeof name, "%ld..%ld", from, to);
   return (p->only = sweep_keep_text(&p->memory, name, strlen(name))) != NULL;
 }

@@ -39,6 +39,12 @@ day; [ "$(grep -c 'up to date' "$work/said")" = 3 ] || { echo "the frames were m
 rm "$work/day-003.png"; day; cmp "$work/day-003.png" "$work/third.png" >> "$work/why" 2>&1
 [ "$(grep -c 'up to date' "$work/said")" = 2 ] || { echo "not two stand"; cat "$work/said"; } >> "$work/why"
 [ -z "$(find "$work" -name '*.light.*')" ] || echo "the metered light is left behind" >> "$work/why"
+# a part of the film has the exposure of the first frame, which is not in it
+rm "$work"/day*.json "$work"/day-00*.png; day --only 3; cmp "$work/day-003.png" "$work/third.png" >> "$work/why" 2>&1
+[ ! -e "$work/day-001.png" ] || echo "the first frame was made, too" >> "$work/why"
+day --only 1..2; day; [ "$(grep -c 'up to date' "$work/said")" = 3 ] || { echo "parts were made again"; cat "$work/said"; } >> "$work/why"
+cmp "$work/day-001.png" "$work/first.png" >> "$work/why" 2>&1
+[ "$(exposures | wc -l)" = 1 ] && [ "$(exposures | sed 's/.*: //')" = "$stops" ] || { echo "the parts' exposures are"; exposures; } >> "$work/why"
 day --exposure auto-1; exposures | grep -q " $(awk "BEGIN { printf \"%.2f\", $stops - 1 }")$" || { echo "auto-1 of $stops is"; exposures; } >> "$work/why"
 day --exposure 1; [ -z "$(exposures)" ] || echo "a number given was metered" >> "$work/why"
 result film:exposure "$work/why"
