@@ -136,9 +136,8 @@ typedef struct {
   size_t limit_triangles; /* greatest number of triangles in the mesh of an output */
   size_t cache;           /* bytes of results (meshes) that the interpreter keeps for later outputs. 0: 256 MB, or a
                            * quarter of limit_memory; SIZE_MAX: it keeps nothing */
-  /* Whether an error keeps the parameters of its calls, for vs_call_get. This suits a prompt. Each error then takes
-   * more time. */
-  bool keep_calls;
+  bool keep_calls;        /* whether an error keeps the parameters of its calls, for vs_call_get at a prompt; each error
+                           * then takes more time */
   bool untrusted;         /* whether the program is untrusted: it reads no files except by read_file and list_folder,
                            * and writes no native text */
   const char *library_path; /* folders for load, require and import, separated by ':'. The interpreter searches them
@@ -170,8 +169,7 @@ enum {
   /* With VS_EVAL_PRINT: the n-th value since vs_new or vs_restart gets the name $n. The callback `value` receives an
    * object as one line. */
   VS_EVAL_NUMBER = 4u,
-  /* (break) pauses the program, with the outcome VS_OUTCOME_STOPPED. Without this flag (break) warns and continues. */
-  VS_EVAL_STOP = 8u,
+  VS_EVAL_STOP = 8u,    /* (break) pauses the program (VS_OUTCOME_STOPPED). Without this flag it warns and continues */
   VS_EVAL_STEP = 16u,   /* with VS_EVAL_STOP: pauses the program before the first call in the text */
   VS_EVAL_WITHIN = 32u, /* if a program is paused, the text's expressions see the variables at its place */
   VS_EVAL_PASS = 64u,   /* the text has run before: (break) neither pauses the program nor warns */
@@ -597,7 +595,6 @@ VS_API vs_outcome vs_picture_tone(vs_scheme *s, const char *from, const char *to
  * 1 means. *least and *most are the ends of the legend. */
 VS_API vs_outcome vs_picture_false_color(vs_scheme *s, const char *from, const char *to, double unit, double *least,
     double *most);
-
 /* Writes the illuminance of floors as a PNG in false colours, from a picture with the layers albedo and normal. unit:
  * as for vs_picture_false_color. The result is in lux. */
 VS_API vs_outcome vs_picture_illuminance(vs_scheme *s, const char *from, const char *to, double unit, double *least,
@@ -631,6 +628,8 @@ VS_API vs_outcome vs_picture_compare(vs_scheme *s, const char *a, const char *b,
 /* Removes noise, and writes another EXR with the same channels. *layers: true if the picture's albedo and normal
  * helped; false if only its colours did. */
 VS_API vs_outcome vs_picture_denoise(vs_scheme *s, const char *from, const char *to, bool *layers);
+/* Joins tiles, all PNG or all EXR, row by row: the result has the bytes of the picture whose crops they are. */
+VS_API vs_outcome vs_picture_join(vs_scheme *s, const char *const *tiles, size_t columns, size_t rows, const char *to);
 
 /* ---- the sun through a day ---- */
 

@@ -141,6 +141,15 @@ static bool take_size(cli_options *o, const option_row *row, const char *text) {
   return true;
 }
 
+static bool take_tiles(cli_options *o, const option_row *row, const char *text) {
+  cli_tiles *t = &o->tiles;
+  char *end;
+  t->columns = strtol(text, &end, 10);
+  bool ok = end != text && (*end == 'x' || *end == 'X') && parse_whole(end + 1, 1, 256, &t->rows);
+  t->from = 1, t->to = t->columns * t->rows;
+  return (ok && t->columns >= 1 && t->columns <= 256) || bad(row, text);
+}
+
 /* Reads the four numbers of --crop. The size of the picture is known only later; crop_is_within compares them with
  * it. */
 static bool take_crop(cli_options *o, const option_row *row, const char *text) {
@@ -681,7 +690,8 @@ static bool is_command(const char *word, const char *name) {
  * each picture or set. */
 static bool is_of_batch(const char *word) {
   static const char *const own[] = {"output", "view", "all-views", "set", "jobs", "manifest", "sheet", "frames",
-                                    "resume", "film", "quiet", "threads", "sample", "seed", "where", "sort", "only"};
+                                    "resume", "film", "quiet", "threads", "sample", "seed", "where", "sort", "only",
+                                    "tiles"};
   if (word[1] != '-') return strchr("oqj", word[1]) != NULL;
   for (size_t i = 0; i < sizeof own / sizeof *own; i++)
     if (strlen(own[i]) == strcspn(word + 2, "=") && !strncmp(word + 2, own[i], strlen(own[i]))) return true;
@@ -692,6 +702,22 @@ static bool is_of_batch(const char *word) {
 static bool is_png_or_folder(const char *path) {
   const char *ending = ending_of(path);
   return !ending || strcmp(ending, ".png") == 0 || path[strlen(path) - 1] == '/';
+}
+
+/* Returns true if the options with --tiles go together. Otherwise prints a message. */
+static bool tiles_fit(cli_options *o) {
+  const char *ending = o->target_count ? ending_of(o->targets[0].path) : NULL, *wrong = NULL;
+  if (o->command != CLI_COMMAND_render) wrong = "it is for vs render";
+  else if (o->frames.count) wrong = "give it without --frames: each frame is a part of its own (--only)";
+  else if (o->output.crop[2]) wrong = "give it without --crop";
+  else if (!o->output.width || !o->output.height) wrong = "give the size of the whole picture by --size";
+  else if (o->output.height < o->tiles.columns * o->tiles.rows) wrong = "a tile would be empty";
+  else if (ending && strcmp(ending, ".png") != 0 && strcmp(ending, ".exr") != 0 && !strchr(ending, '/'))
+    wrong = "tiles are .png or .exr pictures";
+  if (wrong) return fprintf(stderr, "vs: --tiles %ldx%ld: %s\n", o->tiles.columns, o->tiles.rows, wrong), false;
+  long all = o->tiles.columns * o->tiles.rows;
+  if (!o->only || cli_range_read(o->only, all, &o->tiles.from, &o->tiles.to)) return true;
+  return fprintf(stderr, "vs: --only %s: expected numbers of tiles from 1 to %ld, as in 1..10\n", o->only, all), false;
 }
 
 cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
@@ -774,14 +800,16 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
                    "for vs sweep\n", stderr);
     return CLI_BAD_USAGE;
   }
-  if (!sweeps && (o->sample || o->seed || o->where || o->sort || (o->only && !o->frames.count))) {
-    fputs("vs: --sample, --seed, --where and --sort are for vs sweep, and --only for vs sweep and --frames\n", stderr);
+  if (!sweeps && (o->sample || o->seed || o->where || o->sort || (o->only && !o->frames.count && !o->tiles.columns))) {
+    fputs("vs: --sample, --seed, --where and --sort are for vs sweep, and --only for vs sweep, --frames and --tiles\n",
+          stderr);
     return CLI_BAD_USAGE;
   }
   if (o->frames.count && o->only && !cli_range_read(o->only, o->frames.count, &o->frames.from, &o->frames.to)) {
     fprintf(stderr, "vs: --only %s: expected numbers of frames from 1 to %ld, as in 1..10\n", o->only, o->frames.count);
     return CLI_BAD_USAGE;
   }
+  if (o->tiles.columns && !tiles_fit(o)) return CLI_BAD_USAGE;
   if (o->film && o->only) {
     fputs("vs render: --film needs all frames: give it without --only, when all parts are done\n", stderr);
     return CLI_BAD_USAGE;

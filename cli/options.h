@@ -57,6 +57,7 @@ typedef struct {
   vs_options interpreter;              /* limits and texts of the interpreter, to which main adds the callbacks */
   vs_output_options output;
   cli_frames frames;
+  cli_tiles tiles;
   const char *place, *date, *from, *step; /* vs sunstudy: values of its options, NULL if an option is not given; --to is
                                            * in `language` */
   double candelas;              /* luminance in cd/m2 of the pixel value 1; 0 if not given */

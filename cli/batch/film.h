@@ -17,6 +17,10 @@ typedef struct {
   bool resume;
 } cli_frames;
 
+/* The option --tiles: a picture is made in columns times rows tiles, and joined. columns is 0 without the option.
+ * from, to: the tiles to make, from 1; all without --only. */
+typedef struct { long columns, rows, from, to; } cli_tiles;
+
 enum { CLI_FRAME_ROOM = 40 };
 /* Writes the frame's number for a file name: with at least three digits, so that names sort in order. */
 void cli_frame_number(const cli_frames *f, long frame, char out[CLI_FRAME_ROOM]);

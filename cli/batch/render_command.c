@@ -47,6 +47,10 @@ typedef struct {
   uint64_t metered;        /* hash of the scene of the film's first frame, from which the exposure was computed */
   long frame;              /* number of the frame from 1, or 0 without --frames; the frames of a film are consecutive in
                             * the batch */
+  size_t tile;             /* number of the tile from 1, top first, or 0: the file is the whole picture */
+  char *whole;             /* of the first tile: the file of the picture that is joined from the tiles; otherwise
+                            * NULL */
+  char crop[48];           /* the value of --crop for a tile */
   pid_t process;
   int told;                /* descriptor from which the picture's process is read: the reading end of a pipe */
   bool known, failed;      /* known: the model has run, and result.model is set; failed: its run has failed, and no
@@ -148,6 +152,29 @@ static void say(void *context, const vs_diagnostic *d) {
             d->message);
 }
 
+/* Adds the tiles of the picture with this file name. They are consecutive in the batch. Each has some rows in the whole
+ * width, because POV-Ray gathers bounced light along rows, and draws whole rows even for a part of them. */
+static bool add_tiles(batch *b, const char *model, const char *set, const char *view, const char *file) {
+  const cli_options *o = b->options;
+  const cli_tiles *t = &o->tiles;
+  const char *ending = strrchr(file, '.');
+  char name[PATH_ROOM], number[24];
+  long count = t->columns * t->rows, w = o->output.width, h = o->output.height;
+  int digits = snprintf(number, sizeof number, "%ld", count);
+  for (long i = t->from; i <= t->to; i++) {
+    long top = h * (i - 1) / count;
+    int n = snprintf(name, sizeof name, "%.*s-tile-%0*ld%s", (int)(ending - file), file, digits < 2 ? 2 : digits, i,
+                     ending);
+    if (n < 0 || n >= PATH_ROOM) return fprintf(stderr, "vs render: %s: the name is too long\n", file), false;
+    if (!add_picture(b, model, set, view, 0, name)) return false;
+    picture *p = &b->at[b->count - 1];
+    p->tile = (size_t)i;
+    snprintf(p->crop, sizeof p->crop, "0,%ld,%ld,%ld", top, w, h * i / count - top);
+    if (i == 1 && !(p->whole = strdup(file))) return no_memory();
+  }
+  return true;
+}
+
 /* Returns the frame's set of parameters, which the caller frees: `given`, and the parameter of the frame. NULL when
  * memory is out. */
 static char *set_of_frame(const cli_frames *f, long frame, const char *given) {
@@ -165,9 +192,11 @@ static bool add_frames(batch *b, const char *model, size_t set, const char *view
   for (long frame = o->frames.from; ok && frame <= o->frames.to; frame++) {
     char *with = frame ? set_of_frame(&o->frames, frame, given) : NULL;
     if (frame && !with) return no_memory();
+    size_t from = b->count;
     ok = name_picture(b, model, set, view, frame, name) &&
-         add_picture(b, model, frame ? with : given, view, frame, name);
-    if (ok) b->at[b->count - 1].given = given;
+         (o->tiles.columns ? add_tiles(b, model, given, view, name)
+                           : add_picture(b, model, frame ? with : given, view, frame, name));
+    for (; ok && from < b->count; from++) b->at[from].given = given;
     free(with);
   }
   return ok;
@@ -253,6 +282,7 @@ static void manifest_picture(FILE *to, const picture *p) {
   fputs(", \"view\": ", to);
   if (p->view) cli_json_text(to, p->view);
   else fputs("null", to);
+  if (p->tile) fprintf(to, ", \"crop\": \"%s\"", p->crop);
   fputs(", \"parameters\": ", to);
   if (p->set) cli_json_text(to, p->set);
   else fputs("null", to);
@@ -277,6 +307,12 @@ static bool may_write(const batch *b, const char *path) {
 static bool may_film(const batch *b, const picture *p) {
   char film[PATH_ROOM];
   return b->options->film <= 0 || p->frame != 1 || (cli_film_name(p->file, film, sizeof film), may_write(b, film));
+}
+
+/* Returns true if no model of the batch has read the picture's file, or the file of the film or of the whole that
+ * begins with this picture. Otherwise prints a message. */
+static bool may_write_picture(const batch *b, const picture *p) {
+  return may_write(b, p->file) && may_film(b, p) && (!p->whole || may_write(b, p->whole));
 }
 
 /* Writes a file by calling `fill`. The file gets its name only when it is complete. If lock is not NULL, the file is
@@ -317,9 +353,9 @@ static void fill_sheet(const batch *b, FILE *to) {
         "img{width:100%;height:auto;display:block}figcaption{padding-top:6px;color:#444}</style>\n", to);
   for (size_t i = 0; i < b->count; i++) {
     const picture *p = &b->at[i];
-    if (p->result.fate != MADE && p->result.fate != STANDS) continue;
+    if ((p->result.fate != MADE && p->result.fate != STANDS) || (p->tile && !p->whole)) continue;
     fputs("<figure><img loading=\"lazy\" src=\"", to);
-    cli_part_link(to, p->file, sheet);
+    cli_part_link(to, p->whole ? p->whole : p->file, sheet);
     fputs("\"><figcaption>", to);
     cli_part_html(to, p->model);
     if (p->view) fputs(", ", to), cli_part_html(to, p->view);
@@ -344,6 +380,7 @@ static const char **words_of(const batch *b, const picture *p, char **defines, c
   char *rest = *defines, *one;
   while (rest && (one = strsep(&rest, ",")) != NULL) w[n++] = "-D", w[n++] = one;
   if (p->view) w[n++] = "--view", w[n++] = p->view;
+  if (p->tile) w[n++] = "--crop", w[n++] = p->crop;
   if (*p->exposure) w[n++] = "--exposure", w[n++] = p->exposure;
   if (*b->threads) w[n++] = "--threads", w[n++] = b->threads;
   w[n++] = "-q";
@@ -432,6 +469,7 @@ static result make(const batch *b, const picture *p) {
   clock_gettime(CLOCK_MONOTONIC, &from);
   r.code = p->known ? VS_OUTCOME_DONE : hash_model(b, p, &r.model);
   if (r.code == VS_OUTCOME_DONE) r.scene = cli_part_hash(r.model, p->exposure, strlen(p->exposure));
+  if (r.code == VS_OUTCOME_DONE && p->tile) r.scene = cli_part_hash(r.scene, p->crop, strlen(p->crop));
   if (r.code == VS_OUTCOME_DONE && is_up_to_date(b, p, r.scene)) r.fate = STANDS;
   else if (r.code == VS_OUTCOME_DONE && (r.code = run(b, p, p->file, NULL)) == VS_OUTCOME_DONE) r.fate = MADE;
   if (r.code == VS_OUTCOME_DONE) cli_part_hash_file(p->file, &r.bytes);
@@ -652,6 +690,7 @@ static bool takes_place(const batch *b, const picture *p) {
   const char *line = line_of(b, p, &length);
   cli_film_name(p->file, film, sizeof film);
   if (b->options->film > 0 && p->frame == 1 && stat(film, &is) == 0 && !line) return true;
+  if (p->whole && access(p->whole, F_OK) == 0 && !line) return true;
   if (!cli_part_hash_file(p->file, &bytes)) return false;
   snprintf(wanted, sizeof wanted, "\"hash\": \"%016" PRIx64 "\"", bytes);
   const char *found = line ? strstr(line, wanted) : NULL;
@@ -668,11 +707,61 @@ static bool try_models(batch *b) {
   for (size_t i = 0; b->count > 1 && i < b->count; i++) any = any || takes_place(b, &b->at[i]);
   if (!any) return true;
   run_all(b, b->ended, try_model);
-  for (size_t i = 0; ok && i < b->count; i++) ok = may_write(b, b->at[i].file) && may_film(b, &b->at[i]);
+  for (size_t i = 0; ok && i < b->count; i++) ok = may_write_picture(b, &b->at[i]);
   ok = ok && (!b->options->sheet || may_write(b, b->options->sheet)) &&
       (!b->manifest_path || may_write(b, b->manifest_path));
   if (!ok && b->manifest_made) remove(b->manifest_path);
   return ok;
+}
+
+/* ---- tiles ---- */
+
+/* Returns the index after the last tile of the picture whose first tile in the batch is `from`. */
+static size_t end_of_tiles(const batch *b, size_t from) {
+  size_t to = from + 1;
+  while (to < b->count && b->at[to].tile > b->at[to - 1].tile) to++;
+  return to;
+}
+
+/* Runs each model with tiles once for its scene, which all tiles share. The tiles of a model that fails have failed. */
+static void share_scenes(batch *b) {
+  for (size_t from = 0, to; from < b->count && !*b->ended; from = to) {
+    picture *p = &b->at[from];
+    to = end_of_tiles(b, from);
+    if (!p->tile || p->failed) continue;
+    int code = p->known ? VS_OUTCOME_DONE : hash_model(b, p, &p->result.model);
+    for (size_t i = from; i < to && !*b->ended; i++) {
+      b->at[i].known = code == VS_OUTCOME_DONE, b->at[i].result.model = p->result.model;
+      if (code != VS_OUTCOME_DONE) b->at[i].result.fate = FAILED, b->at[i].result.code = code;
+    }
+    if (code != VS_OUTCOME_DONE && !*b->ended && !b->options->quiet) printf("%s: failed\n", p->file);
+  }
+}
+
+/* Joins the tiles of each picture if a tile has changed or the picture is missing. */
+static vs_outcome join_tiles(const batch *b) {
+  const cli_options *o = b->options;
+  vs_outcome outcome = VS_OUTCOME_DONE;
+  for (size_t from = 0, to; outcome == VS_OUTCOME_DONE && from < b->count; from = to) {
+    const char *whole = b->at[from].whole, **tiles;
+    to = end_of_tiles(b, from);
+    if (!whole) continue;
+    bool stands = access(whole, F_OK) == 0;
+    for (size_t i = from; i < to; i++) stands = stands && b->at[i].result.fate == STANDS;
+    if (!may_write(b, whole)) return VS_OUTCOME_USAGE;
+    if (stands && !o->quiet) printf("%s: up to date\n", whole);
+    if (stands) continue;
+    if (!(tiles = reallocarray(NULL, to - from, sizeof *tiles))) return no_memory(), VS_OUTCOME_MACHINE;
+    for (size_t i = from; i < to; i++) tiles[i - from] = b->at[i].file;
+    vs_options interpreter = o->interpreter;
+    interpreter.host = (vs_host){.context = (void *)(uintptr_t)whole, .diagnose = say};
+    vs_scheme *s = vs_new(&interpreter);
+    outcome = s ? vs_picture_join(s, tiles, 1, to - from, whole) : VS_OUTCOME_MACHINE;
+    vs_free(s);
+    free(tiles);
+    if (outcome == VS_OUTCOME_DONE && !o->quiet) printf("%s: joined from %zu tiles\n", whole, to - from);
+  }
+  return outcome;
 }
 
 /* ---- films ---- */
@@ -718,7 +807,7 @@ static const char *manifest_of(const cli_options *o, char room[PATH_ROOM]) {
   if (o->manifest) return o->manifest;
   if (out && stat(out, &is) == 0 && S_ISDIR(is.st_mode) &&
       snprintf(room, PATH_ROOM, "%s/manifest.json", out) < PATH_ROOM) return room;
-  return o->frames.count ? manifest_beside(out ? out : o->sources[0].text, room) : NULL;
+  return o->frames.count || o->tiles.columns ? manifest_beside(out ? out : o->sources[0].text, room) : NULL;
 }
 
 /* Records the models as files that are read, and lists the pictures to make. Returns false after a message. */
@@ -728,7 +817,7 @@ static bool prepare(batch *b) {
   for (size_t i = 0; i < o->source_count; i++) vs_note_input(b->inputs, o->sources[i].text);
   for (size_t i = 0; ok && i < o->source_count; i++)
     for (size_t k = 0; ok && k < (o->set_count ? o->set_count : 1); k++) ok = add_model(b, o->sources[i].text, k);
-  for (size_t i = 0; ok && i < b->count; i++) ok = may_write(b, b->at[i].file) && may_film(b, &b->at[i]);
+  for (size_t i = 0; ok && i < b->count; i++) ok = may_write_picture(b, &b->at[i]);
   return ok && (!o->sheet || may_write(b, o->sheet)) && take_manifest(b);
 }
 
@@ -737,6 +826,7 @@ static vs_outcome run_batch(batch *b) {
   vs_outcome outcome = b->failed;
   if (!try_models(b)) return VS_OUTCOME_USAGE;
   expose_films(b, b->ended);
+  share_scenes(b);
   run_all(b, b->ended, make);
   for (size_t i = b->count; i-- > 0;)
     if (b->at[i].result.fate == FAILED) outcome = (vs_outcome)b->at[i].result.code;
@@ -746,6 +836,7 @@ static vs_outcome run_batch(batch *b) {
     cli_range_remove(b->whole_path);
   if (b->unwritten && outcome == VS_OUTCOME_DONE) outcome = VS_OUTCOME_USAGE;
   if (o->film > 0 && outcome == VS_OUTCOME_DONE) outcome = make_films(b);
+  if (o->tiles.columns && !o->only && outcome == VS_OUTCOME_DONE) outcome = join_tiles(b);
   if (o->sheet && !write_whole(b, o->sheet, fill_sheet, NULL) && outcome == VS_OUTCOME_DONE) outcome = VS_OUTCOME_USAGE;
   return outcome;
 }
@@ -764,13 +855,17 @@ vs_outcome cli_render_command(const cli_options *o, const volatile sig_atomic_t 
     if (make_folder(o)) {
       b.whole_path = b.manifest_path = manifest_of(o, beside);
       bool ranged = o->only && b.whole_path, ok = true;
-      if (ranged) ok = cli_range_manifest(b.whole_path, o->frames.from, o->frames.to, own, sizeof own);
+      if (ranged) ok = cli_range_manifest(b.whole_path, o->tiles.columns ? o->tiles.from : o->frames.from,
+                                          o->tiles.columns ? o->tiles.to : o->frames.to, own, sizeof own);
       if (!ok) fprintf(stderr, "vs render: %s: the name is too long\n", b.whole_path);
       if (ranged) b.manifest_path = own;
       if (ok && prepare(&b)) outcome = run_batch(&b);
     }
   }
-  for (size_t i = 0; i < b.count; i++) free(b.at[i].view), free(b.at[i].file), free(b.at[i].set);
+  for (size_t i = 0; i < b.count; i++) {
+    picture *p = &b.at[i];
+    free(p->view), free(p->file), free(p->set), free(p->whole);
+  }
   if (b.lock >= 0) close(b.lock);
   if (b.shared >= 0) close(b.shared);
   if (b.told >= 0) close(b.told);

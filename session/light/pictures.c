@@ -13,6 +13,7 @@
 
 #include "backends/publish.h"
 #include "geometry/files/exr_read.h"
+#include "geometry/files/png_read.h"
 #include "geometry/files/png_write.h"
 #include "geometry/pictures/denoise.h"
 #include "geometry/pictures/false_color.h"
@@ -301,5 +302,137 @@ vs_outcome vs_picture_denoise(vs_scheme *vm, const char *from, const char *to, b
   if (layers) *layers = guided;
   if (exr.at) vs_store_realloc(store, exr.at, exr.room, 0);
   vs_exr_free(&x);
+  return end(s, ok, &e);
+}
+
+/* ---- joining tiles ---- */
+
+/* A picture made of tiles. */
+typedef struct {
+  vs_session *session;
+  const char *const *tiles;
+  size_t columns, rows; /* numbers of tiles */
+  bool light;           /* whether the tiles are EXR pictures, otherwise PNG */
+  vs_exr x;             /* the whole, if light */
+  vs_pixels p;          /* the whole otherwise; its size also if light */
+  uint32_t left, top;   /* place of the current tile in the whole */
+} joint;
+
+/* A tile as read: light, or pixels. */
+typedef struct { const char *path; vs_exr x; vs_png_pixels p; uint32_t columns, rows; } tile;
+
+static bool unfit(const tile *t, vs_error *e) {
+  return vs_error_set(e, VS_ERROR_FILE, NULL, "%.200s: this picture does not fit the other tiles", bare(t->path));
+}
+
+static void free_tile(joint *j, tile *t) {
+  vs_exr_free(&t->x);
+  if (t->p.rows) vs_store_realloc(j->session->bind.store, t->p.rows, t->p.room, 0);
+}
+
+/* Reads tile i. Either way, free_tile frees it. */
+static bool take_tile(joint *j, size_t i, tile *t, vs_error *e) {
+  vs_store *store = j->session->bind.store;
+  vs_made_bytes b = { 0 };
+  *t = (tile){ .path = j->tiles[i], .x = { .store = store } };
+  bool ok = j->light ? take(j->session, t->path, NULL, &t->x, e)
+                     : read_bytes(j->session, t->path, &b, e) &&
+                           vs_png_read(store, &(vs_file_bytes){ bare(t->path), b.at, b.size }, &t->p, e);
+  if (b.at) vs_store_realloc(store, b.at, b.room, 0);
+  if (ok && !j->light && (t->p.deep || t->p.channels != 3)) ok = unfit(t, e);
+  t->columns = j->light ? t->x.columns : t->p.columns, t->rows = j->light ? t->x.rows : t->p.high;
+  return ok;
+}
+
+/* Computes the size of the whole from the tiles of the first row and of the first column. */
+static bool measure_tiles(joint *j, vs_error *e) {
+  uint64_t columns = 0, rows = 0;
+  bool ok = true;
+  for (size_t i = 0; ok && i < j->columns * j->rows; i++) {
+    tile t;
+    if (i >= j->columns && i % j->columns != 0) continue;
+    ok = take_tile(j, i, &t, e);
+    if (i < j->columns) columns += t.columns;
+    if (i % j->columns == 0) rows += t.rows;
+    if (ok && (columns > INT32_MAX || rows > INT32_MAX)) ok = unfit(&t, e);
+    free_tile(j, &t);
+  }
+  j->p.columns = (uint32_t)columns, j->p.rows = (uint32_t)rows;
+  return ok;
+}
+
+/* Allocates the whole, with the channels and texts of its first tile. */
+static bool begin_whole(joint *j, const tile *first, vs_error *e) {
+  vs_exr *x = &j->x;
+  size_t bytes = 3 * (size_t)j->p.columns * j->p.rows;
+  if (!j->light) {
+    j->p.rgb = vs_store_realloc(j->session->bind.store, NULL, 0, bytes);
+    return j->p.rgb || vs_error_memory(e, NULL);
+  }
+  x->columns = j->p.columns, x->rows = j->p.rows;
+  bool ok = true;
+  for (size_t i = 0; ok && i < first->x.count; i++)
+    ok = vs_exr_add(x, first->x.channels[i].name, first->x.channels[i].type, e) != NULL;
+  for (vs_exr_text k = 0; ok && k < VS_EXR_TEXTS; k++)
+    if (first->x.texts[k].at) ok = vs_exr_add_text(x, k, first->x.texts[k].at, strlen(first->x.texts[k].at), e);
+  return ok;
+}
+
+/* Copies `rows` rows of `bytes` bytes into the whole, whose rows have `stride` bytes. */
+static void put_rows(void *to, size_t stride, const void *from, size_t bytes, uint32_t rows) {
+  for (uint32_t row = 0; row < rows; row++)
+    memcpy((char *)to + row * stride, (const char *)from + row * bytes, bytes);
+}
+
+/* Copies the tile to its place in the whole. */
+static bool put_tile(joint *j, const tile *t, vs_error *e) {
+  size_t at = (size_t)j->top * j->p.columns + j->left;
+  if (t->columns > j->p.columns - j->left || t->rows > j->p.rows - j->top || t->x.count != j->x.count)
+    return unfit(t, e);
+  if (!j->light) put_rows(j->p.rgb + 3 * at, 3 * (size_t)j->p.columns, t->p.rows, 3 * (size_t)t->columns, t->rows);
+  for (size_t i = 0; i < t->x.count; i++) {
+    float *to = vs_exr_find(&j->x, t->x.channels[i].name);
+    if (!to) return unfit(t, e);
+    put_rows(to + at, j->p.columns * sizeof *to, t->x.channels[i].at, t->columns * sizeof *to, t->rows);
+  }
+  return true;
+}
+
+/* Puts all tiles into the whole, row by row. */
+static bool put_tiles(joint *j, vs_error *e) {
+  uint32_t high = 0;
+  bool ok = true;
+  for (size_t i = 0; ok && i < j->columns * j->rows; i++) {
+    tile t;
+    ok = take_tile(j, i, &t, e);
+    if (ok && i == 0) ok = begin_whole(j, &t, e);
+    if (i % j->columns == 0) j->top += high, j->left = 0, high = t.rows;
+    if (ok && t.rows != high) ok = unfit(&t, e);
+    ok = ok && put_tile(j, &t, e);
+    j->left += t.columns;
+    free_tile(j, &t);
+  }
+  return ok;
+}
+
+static bool is_light(const char *path) {
+  const char *dot = strrchr(path, '.');
+  return dot && !strcmp(dot, ".exr");
+}
+
+vs_outcome vs_picture_join(vs_scheme *vm, const char *const *tiles, size_t columns, size_t rows, const char *to) {
+  vs_session *s = vs_session_of(vm);
+  if (vs_session_busy(s, "vs_picture_join")) return VS_OUTCOME_USAGE;
+  vs_store *store = s->bind.store;
+  vs_error e = { VS_ERROR_NONE, NULL, "" };
+  vs_made_bytes exr = { 0 };
+  joint j = { .session = s, .tiles = tiles, .columns = columns, .rows = rows, .light = is_light(to),
+              .x = { .store = store } };
+  bool ok = measure_tiles(&j, &e) && put_tiles(&j, &e);
+  if (ok && !j.light) ok = write_png(s, to, &j.p, &e);
+  else if (ok) ok = vs_exr_write(&j.x, &exr, &e) && vs_session_write_bytes(s, to, exr.at, exr.size, &e);
+  if (exr.at) vs_store_realloc(store, exr.at, exr.room, 0);
+  if (j.p.rgb) vs_store_realloc(store, j.p.rgb, 3 * (size_t)j.p.columns * j.p.rows, 0);
+  vs_exr_free(&j.x);
   return end(s, ok, &e);
 }

@@ -62,6 +62,19 @@ int main(int argc, char **argv) {
   CHECK(vs_picture_denoise(s, in(folder, "a.exr"), in(folder, "b.exr"), &layers) == VS_OUTCOME_DONE && layers);
   CHECK(vs_picture_compare(s, in(folder, "a.exr"), in(folder, "b.exr"), NULL, &d) == VS_OUTCOME_DONE);
   CHECK(d.columns == 32 && d.rows == 24 && d.ssim > 0.9 && d.ssim <= 1);
+  /* four tiles of two columns, then tiles of different heights in one row */
+  const char *tiles[4];
+  char names[4][512];
+  for (int i = 0; i < 4; i++) {
+    snprintf(names[i], sizeof names[i], "%s/tile%d.exr", folder, i);
+    tiles[i] = names[i];
+    o.crop[0] = i % 2 ? 20 : 0, o.crop[1] = i / 2 ? 7 : 0, o.crop[2] = i % 2 ? 12 : 20, o.crop[3] = i / 2 ? 17 : 7;
+    CHECK(vs_write_drawing(s, tiles[i], NULL, &o) == VS_OUTCOME_DONE);
+  }
+  CHECK(vs_picture_join(s, tiles, 2, 2, in(folder, "joined.exr")) == VS_OUTCOME_DONE);
+  CHECK(vs_picture_compare(s, in(folder, "a.exr"), in(folder, "joined.exr"), NULL, &d) == VS_OUTCOME_DONE && d.most == 0);
+  tiles[1] = names[3];
+  CHECK(vs_picture_join(s, tiles, 2, 1, in(folder, "joined.exr")) == VS_OUTCOME_USAGE && strstr(said, "does not fit"));
   vs_free(s);
   return failures > 0;
 }

@@ -1,5 +1,5 @@
 # Tests that a picture has the same bytes on any number of processors and under load, and that a part of it
-# equals that part of the whole: each quality of --quality, each format that POV-Ray makes. LONG=1: all of them on 1, 2
+# equals that part of the whole, also when tiles are joined: each quality of --quality, each format that POV-Ray makes. LONG=1: all of them on 1, 2
 # and 3 processors beside busy ones, and three runs of six examples.
 . tests/report.sh
 
@@ -26,7 +26,7 @@ unload() { kill $busy; wait $busy 2> /dev/null; busy=; }
 
 draw() { out=$1; shift; "$vs" -q "$work/m.vs" -o "$out" --size $size "$@" 2>> "$work/why" || echo "$out: ended with $?" >> "$work/why"; }
 
-one() { # QUALITY FORMAT PROCESSORS CROPS
+one() { # QUALITY FORMAT PROCESSORS CROPS TILES
   : > "$work/why"
   draw "$work/whole.$2" --quality "$1" --threads 1
   for n in $3; do
@@ -34,24 +34,32 @@ one() { # QUALITY FORMAT PROCESSORS CROPS
     cmp "$work/whole.$2" "$work/other.$2" >> "$work/why" 2>&1 || echo "on $n processors" >> "$work/why"
   done
   for crop in $4; do
-    set -- "$1" "$2" "$3" "$4" $(echo "$crop" | tr ',' ' ')
+    top=${crop#*,}
     draw "$work/part.$2" --quality "$1" --crop "$crop"
-    "$BUILD/tools/cutdiff" "$work/whole.$2" "$work/part.$2" "$5" "$6" > "$work/said" 2>&1 || { echo "--crop $crop: $(cat "$work/said")"; } >> "$work/why"
+    "$BUILD/tools/cutdiff" "$work/whole.$2" "$work/part.$2" "${crop%%,*}" "${top%%,*}" > "$work/said" 2>&1 || { echo "--crop $crop: $(cat "$work/said")"; } >> "$work/why"
+  done
+  for tiles in $5; do # in their own processes, the last first, then joined
+    last=$((${tiles%x*} * ${tiles#*x}))
+    for only in "--only $last" ""; do
+      "$vs" render "$work/m.vs" -q -o "$work/tiles.$2" --size $size --quality "$1" --tiles "$tiles" $only 2>> "$work/why" || echo "--tiles $tiles: ended with $?" >> "$work/why"
+    done
+    cmp "$work/whole.$2" "$work/tiles.$2" >> "$work/why" 2>&1 || echo "--tiles $tiles" >> "$work/why"
+    rm -f "$work"/tiles*
   done
   result "same:$1-$2" "$work/why"
 }
 
 if [ -z "${LONG:-}" ]; then # the default quality in each format, and a draft
-  for format in $formats; do one good "$format" 3 "10,110,40,140"; done
-  one draft png 3 "10,110,40,140"
+  for format in $formats; do one good "$format" 3 "10,110,40,140" 1x3; done
+  one draft png 3 "10,110,40,140" 2x2
   exit 0
 fi
 load 3
 for quality in $qualities; do
-  for format in $formats; do one "$quality" "$format" "2 3" "$crops"; done
+  for format in $formats; do one "$quality" "$format" "2 3" "$crops" "1x3 4x4"; done
 done
 size=240x160 # two strips side by side
-for format in $formats; do one good "$format" "2 3" "0,0,20,160 100,10,40,140 119,0,1,160 239,159,1,1"; done
+for format in $formats; do one good "$format" "2 3" "0,0,20,160 100,10,40,140 119,0,1,160 239,159,1,1" 2x2; done
 for example in vaulted-hall rotunda facade-by-rules voronoi-facade gyroid-pavilion doric-columns; do
   : > "$work/why"
   file=$(find examples -name "$example.vs" | head -n 1)
