@@ -37,6 +37,7 @@ typedef struct {
                                * 0: a warning */
   long frame;                 /* number of the current frame from 1; 0 without --frames */
   cli_replaced replaced;      /* files that earlier frames have replaced */
+  char **outputs; size_t output_count, output_room; /* with -d: the paths of the outputs (dependencies.h) */
   int told;                   /* descriptor of the file for the names of files that this run reads, if `vs render` has
                                * started it (batch/inputs_told.h); otherwise -1 */
   unsigned results;           /* number of values printed since the program began; $results is the name of the last

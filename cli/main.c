@@ -25,6 +25,7 @@
 #include "cli/batch/inputs_told.h"
 #include "cli/batch/render_command.h"
 #include "cli/command.h"
+#include "cli/dependencies.h"
 #include "cli/difference.h"
 #include "cli/light/exr_commands.h"
 #include "cli/fit/fit_command.h"
@@ -250,6 +251,7 @@ typedef vs_outcome write_fn(cli_session *c, const cli_target *t);
 
 /* Returns VS_OUTCOME_DONE if the model has not read the output file. Otherwise reports that the file is an input. */
 static vs_outcome may_write(cli_session *c, const cli_target *t) {
+  if (t->path != c->options->dependencies && !cli_dependencies_add(c, t->path)) return VS_OUTCOME_MACHINE;
   if (strcmp(t->path, "-") == 0 || !vs_is_input(c->scheme, t->path)) return VS_OUTCOME_DONE;
   cli_report_settle(&c->reporter);
   fprintf(stderr, "vs: %s: the model reads this file, and no output may replace it; name another file by -o\n",
@@ -301,6 +303,8 @@ static vs_outcome write_all(cli_session *c) {
   cli_inputs_tell(c->told, c->scheme);
   for (size_t i = 0; i < c->options->target_count && outcome == VS_OUTCOME_DONE; i++)
     outcome = write_target(c, &c->options->targets[i], may_write);
+  if (c->options->dependencies && outcome == VS_OUTCOME_DONE)
+    outcome = may_write(c, &(cli_target){c->options->dependencies, NULL});
   if (outcome != VS_OUTCOME_DONE) return outcome;
   for (size_t i = 0; i < c->options->target_count && outcome != VS_OUTCOME_INTERRUPTED; i++) {
     c->options->output.last = i + 1 == c->options->target_count && !c->options->interactive &&
@@ -429,6 +433,7 @@ static vs_outcome run_batch(cli_session *c) {
     if (outcome == VS_OUTCOME_DONE && o->command != CLI_COMMAND_fit)
       outcome = o->command == CLI_COMMAND_sunstudy ? cli_sun_command(c) : write_all(c);
   }
+  if (outcome == VS_OUTCOME_DONE && !cli_dependencies_write(c)) outcome = VS_OUTCOME_USAGE;
   if (o->stats) cli_report_statistics(c->scheme, o->stats_json);
   return outcome;
 }
@@ -538,6 +543,7 @@ static int run_session(cli_options *o, bool *told) {
   if (o->untrusted) cli_untrusted_end(&session.untrusted);
   free(session.line);
   free(session.model);
+  cli_dependencies_free(&session);
   *told = session.output_failed;
   if (session.output_failed && outcome == VS_OUTCOME_DONE) outcome = VS_OUTCOME_USAGE;
   return outcome == VS_OUTCOME_DONE ? session.exit_code : (int)outcome;

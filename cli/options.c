@@ -898,6 +898,16 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
           : "vs: --frames writes files: name them by -o, as in -o tower.png for tower-001.png and so on\n", stderr);
     return CLI_BAD_USAGE;
   }
+  if (o->dependencies && (o->command != CLI_COMMAND_NONE || o->target_count <= (o->to_stdout ? 1 : 0))) {
+    fputs("vs: -d is for vs FILE with -o, as in vs house.vs -o house.stl -d house.d\n", stderr);
+    return CLI_BAD_USAGE;
+  }
+  for (size_t i = 0; o->dependencies && i < o->target_count; i++)
+    if (!strcmp(o->dependencies, o->targets[i].path)) {
+      fprintf(stderr, "vs: -d %s: it is an output, too\n", o->dependencies);
+      return CLI_BAD_USAGE;
+    }
+  if (o->dependencies && !reachable(&(cli_target){o->dependencies, NULL})) return CLI_BAD_USAGE;
   if (o->target_count && o->check) {
     fputs("vs: --check writes no output: give --check or -o, not both\n", stderr);
     return CLI_BAD_USAGE;

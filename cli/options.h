@@ -70,6 +70,7 @@ typedef struct {
                                                                 * picture */
   size_t jobs;                         /* vs render: number of processes by --jobs; 0 if not given */
   int results;                         /* vs test, vs sweep: in the process of a run, the pipe for its results */
+  const char *dependencies;            /* the file of -d, or NULL */
   const char *manifest, *sheet;        /* vs render: file names given by --manifest and --sheet, or NULL */
   const char *sample, *where, *sort, *only; /* vs sweep: its options, NULL if not given */
   uint64_t seed;                       /* --seed; 0 if not given */
