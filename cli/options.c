@@ -555,6 +555,11 @@ bool cli_options_late(cli_options *o, const vs_scheme *scheme) {
   return true;
 }
 
+bool cli_options_is_pattern(const char *path) {
+  const char *slash = strrchr(path, '/');
+  return (slash ? slash[1] : *path) == '%';
+}
+
 /* Returns true if the output file can probably be written. Otherwise reports it now, before long work begins. */
 static bool reachable(const cli_target *t) {
   if (strcmp(t->path, "-") == 0) return true;
@@ -860,6 +865,15 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
   o->interpreter.command_line = o->words;
   o->interpreter.command_line_count = o->word_count;
   bool formats = !(takes & (CLI_TAKES_FOLDER | CLI_TAKES_LANGUAGE | CLI_TAKES_MANY | CLI_TAKES_SWEEP));
+  for (size_t i = 0; formats && i < o->target_count; i++)
+    if (cli_options_is_pattern(o->targets[i].path)) {
+      fprintf(stderr, "vs: -o %s: the name of a model takes the place of %% in outputs of vs render: vs render",
+              o->targets[i].path);
+      for (size_t k = 0; k < o->source_count; k++)
+        if (o->sources[k].kind == CLI_SOURCE_FILE) fprintf(stderr, " %s", o->sources[k].text);
+      fprintf(stderr, " -o %s\n", o->targets[i].path);
+      return CLI_BAD_USAGE;
+    }
   for (size_t i = 0; formats && i < o->target_count; i++)
     if (!find_format(o, &o->targets[i]) || !reachable(&o->targets[i])) return CLI_BAD_USAGE;
   for (size_t i = 0; takes & CLI_TAKES_SCAN && i < o->target_count; i++) {

@@ -105,19 +105,28 @@ static bool add_picture(batch *b, const char *model, const char *set, const char
   return true;
 }
 
-/* Writes the name of a picture: FOLDER/model-set-view-frame.png for a folder, a-set-view-frame.png for a file a.png.
- * Returns false, after a message, if it is too long. */
+/* Writes the name of a picture: FOLDER/model-set-view-frame.png for a folder or for FOLDER/%.png,
+ * a-set-view-frame.png for a file a.png. Returns false, after a message, if it is too long. */
 static bool name_picture(const batch *b, const char *model, size_t set, const char *view, long frame,
                          char name[PATH_ROOM]) {
   const cli_options *o = b->options;
   const char *out = o->target_count ? o->targets[0].path : NULL, *ending = ".png";
   struct stat is;
   size_t length = out ? strlen(out) : 0;
-  bool folder = out && (o->source_count > 1 || out[length - 1] == '/' || (stat(out, &is) == 0 && S_ISDIR(is.st_mode)));
+  bool each = out && cli_options_is_pattern(out);
+  bool folder =
+      out && !each && (o->source_count > 1 || out[length - 1] == '/' || (stat(out, &is) == 0 && S_ISDIR(is.st_mode)));
   *name = 0;
   if (folder) {
     snprintf(name, PATH_ROOM - 200, "%s%s", out, out[length - 1] == '/' ? "" : "/");
     cli_part_put_word(name, PATH_ROOM - 200, model, true);
+  } else if (each) {
+    const char *slash = strrchr(out, '/'), *dot = strrchr(out, '.'), *percent = slash ? slash + 1 : out;
+    ending = dot > percent ? dot : "";
+    snprintf(name, PATH_ROOM - 400, "%.*s", (int)(percent - out), out);
+    cli_part_put_word(name, PATH_ROOM - 300, model, true);
+    size_t rest = strlen(percent + 1) - strlen(ending), used = strlen(name);
+    snprintf(name + used, PATH_ROOM - 200 - used, "%.*s", (int)rest, percent + 1);
   } else if (out) {
     const char *slash = strrchr(out, '/'), *dot = strrchr(out, '.');
     if (dot && (!slash || dot > slash)) ending = dot;
@@ -793,7 +802,7 @@ static bool make_folder(const cli_options *o) {
   struct stat is;
   const char *out = o->target_count ? o->targets[0].path : NULL, *slash = out ? strrchr(out, '/') : NULL;
   char folder[PATH_ROOM];
-  bool whole = out && (o->source_count > 1 || (slash && !slash[1]));
+  bool whole = out && !cli_options_is_pattern(out) && (o->source_count > 1 || (slash && !slash[1]));
   if (!out || (!whole && (!slash || slash == out))) return true;
   snprintf(folder, sizeof folder, "%.*s", (int)(whole ? strlen(out) : (size_t)(slash - out)), out);
   if (stat(folder, &is) == 0 || mkdir(folder, 0777) == 0) return true;
