@@ -366,7 +366,7 @@ bool vs_session_advise(vs_session *s, vs_value condition, vs_span at, vs_text *t
   if (vs_is_string(c->payload)) return vs_text_puts(t, "; ") && vs_text_string(t, c->payload);
   if (c->payload == VS_TRUE) return advise_callee(p, at, c->irritants, t, vm);
   const char *word;
-  if (t->at && strstr(t->at, "must be an object") && is_quoted_call(p))
+  if (vs_text_end(t) && strstr(t->at, "must be an object") && is_quoted_call(p))
     return vs_text_printf(t, "; the ' before a parenthesis passes the list itself, and does not call: remove the '");
   size_t n = quoted_word(p, &word);
   if (n) return vs_text_printf(t, "; a text is written in double quotes: \"%.*s\"", (int)(n < 60 ? n : 60), word);
