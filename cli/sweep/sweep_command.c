@@ -292,11 +292,14 @@ static void copy_result(sweep_table *t, sweep_part *p) {
   p->numbers = from->numbers, p->number_count = from->number_count, p->inputs = from->inputs;
 }
 
+/* Returns true if no more parts are to start. */
+static bool stops(const sweep *w) { return *w->ended || w->unknown || w->unwritten; }
+
 static void run_all(sweep *w) {
   sweep_table *t = &w->plan.table;
   bool asked = false;
-  for (size_t next = w->plan.from; w->running > 0 || (next < w->plan.to && !*w->ended && !w->unknown);) {
-    if (next == w->plan.to || w->running == w->jobs || *w->ended || w->unknown) {
+  for (size_t next = w->plan.from; w->running > 0 || (next < w->plan.to && !stops(w));) {
+    if (next == w->plan.to || w->running == w->jobs || stops(w)) {
       await(w, &asked);
       continue;
     }

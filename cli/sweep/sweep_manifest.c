@@ -347,9 +347,13 @@ static void write_part(FILE *to, const sweep_table *t, const sweep_part *p) {
 static bool append(sweep_manifest *m, FILE *text, char *const *at, const size_t *length) {
   struct stat is;
   if (fclose(text) != 0) return sweep_no_memory();
-  bool ok = fstat(m->file, &is) == 0 && write(m->file, *at, *length) == (ssize_t)*length;
-  if (!ok && ftruncate(m->file, is.st_size) != 0) m->torn = true;
+  bool known = fstat(m->file, &is) == 0;
+  ssize_t n = known ? write(m->file, *at, *length) : -1;
+  bool ok = n == (ssize_t)*length;
+  int problem = n < 0 ? errno : ENOSPC;
+  if (!ok && known && ftruncate(m->file, is.st_size) != 0) m->torn = true;
   free(*at);
+  errno = problem;
   return ok || cannot_write(m, m->path);
 }
 
