@@ -26,6 +26,7 @@
 #include "model/store/array.h"
 
 enum { PATH_ROOM = 4096, WAIT = 200 /* milliseconds until a signal is noticed that came between two calls */ };
+enum { REPEATS = 2 /* number of further runs of a part that was killed, or whose worker failed */ };
 enum { THUMB_WIDTH = 480, THUMB_HEIGHT = 360 }; /* size of a picture without --size */
 
 /* A process that runs a part. */
@@ -50,6 +51,7 @@ typedef struct {
   struct pollfd *polled;
   uint64_t *messages; size_t message_count, message_room; /* hashes of the messages printed so far */
   bool unknown;                /* whether the model lacks a parameter of the sets */
+  bool made;                   /* whether a part was made, so that its worker is there */
   bool unwritten;              /* whether the manifest could not be written */
   bool trying;                 /* whether the parts run without outputs, for the names of the files that they read */
 } sweep;
@@ -142,6 +144,9 @@ static void run_here(sweep *w, const runner *r, int numbers, pid_t parent) {
 
 /* ---- starting and ending parts ---- */
 
+/* Returns true if no more parts are to start. */
+static bool stops(const sweep *w) { return *w->ended || w->unknown || w->unwritten; }
+
 static bool start(sweep *w, sweep_part *p) {
   int ends[2];
   pid_t parent = getpid();
@@ -226,6 +231,22 @@ static void record(sweep *w, const sweep_part *p) {
   fflush(w->told);
 }
 
+/* Clears the results of the part, for another run. */
+static void clear(sweep_part *p) {
+  *p = (sweep_part){.set = p->set, .name = p->name, .same = p->same, .key = p->key, .files = p->files,
+                    .file_count = p->file_count, .repeats = p->repeats};
+}
+
+/* Starts the part again if chance may have ended its run: a signal, or a failure of a worker that did work. An error of
+ * the model, and a limit, would come again. */
+static bool repeat(sweep *w, sweep_part *p, bool killed) {
+  bool chance = killed || (p->code == VS_OUTCOME_WORKER && w->made);
+  if (!chance || p->repeats == REPEATS || stops(w)) return false;
+  p->repeats++;
+  clear(p);
+  return start(w, p);
+}
+
 /* Takes the results of a process that has closed its pipe. */
 static void finish(sweep *w, runner *r) {
   sweep_part *p = r->part;
@@ -245,8 +266,7 @@ static void finish(sweep *w, runner *r) {
     p->inputs = names ? sweep_manifest_inputs(w->manifest, names, length, r->began) : 0;
   free(names);
   if (w->trying) {
-    *p = (sweep_part){.set = p->set, .name = p->name, .same = p->same, .key = p->key, .files = p->files,
-                      .file_count = p->file_count};
+    clear(p);
     free(take_file(r->messages, &length));
     return;
   }
@@ -254,7 +274,12 @@ static void finish(sweep *w, runner *r) {
     if (!cli_part_hash_file(p->files[i].path, &p->files[i].hash)) p->inputs = 0;
   bool interrupted = p->code == VS_OUTCOME_INTERRUPTED;
   if (interrupted) p->fate = SWEEP_NOT_TRIED;
+  w->made = w->made || p->fate == SWEEP_MADE;
   char *text = take_file(r->messages, &length);
+  if (p->fate == SWEEP_FAILED && repeat(w, p, !WIFEXITED(status))) {
+    free(text);
+    return;
+  }
   if (!WIFEXITED(status) && !interrupted) {
     fprintf(stderr, "vs sweep: %s: the run was killed by signal %d\n", p->name, WTERMSIG(status));
     keep_message(w, p, "the run was killed");
@@ -291,9 +316,6 @@ static void copy_result(sweep_table *t, sweep_part *p) {
   p->fate = from->fate == SWEEP_MADE ? SWEEP_STANDS : from->fate, p->code = from->code, p->message = from->message;
   p->numbers = from->numbers, p->number_count = from->number_count, p->inputs = from->inputs;
 }
-
-/* Returns true if no more parts are to start. */
-static bool stops(const sweep *w) { return *w->ended || w->unknown || w->unwritten; }
 
 static void run_all(sweep *w) {
   sweep_table *t = &w->plan.table;

@@ -226,12 +226,21 @@ static bool taken(const char *path) {
   return false;
 }
 
+/* Locks the file. Waits half a second, since a process of a killed sweep may hold the lock until it has noticed. */
+static bool take_lock(int file, int how) {
+  for (int i = 0; flock(file, how | LOCK_NB) != 0; i++) {
+    if (errno != EWOULDBLOCK || i == 10) return false;
+    nanosleep(&(struct timespec){.tv_nsec = 50000000}, NULL);
+  }
+  return true;
+}
+
 /* Opens and locks the file. The file that has the lock must still have the name. */
 static bool lock_file(sweep_manifest *m, const char *path, int how, int *file) {
   struct stat mine, named;
   *file = open(path, O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (*file < 0) return cannot_write(m, path);
-  if (flock(*file, how | LOCK_NB) != 0) return errno == EWOULDBLOCK ? taken(path) : cannot_write(m, path);
+  if (!take_lock(*file, how)) return errno == EWOULDBLOCK ? taken(path) : cannot_write(m, path);
   return (fstat(*file, &mine) == 0 && stat(path, &named) == 0 && mine.st_ino == named.st_ino &&
           mine.st_dev == named.st_dev) || taken(path);
 }

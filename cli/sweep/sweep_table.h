@@ -35,6 +35,7 @@ typedef struct {
   uint64_t key;          /* hash of all that determines the results, except the contents of files */
   uint64_t inputs;       /* hash of the names and contents of the files that the run read; 0: unknown */
   sweep_fate fate;
+  unsigned repeats;      /* number of runs that were killed, or whose worker failed, before the last */
   int code;              /* exit code of a failed run */
   const char *message;   /* first line of a failed run's messages, or NULL */
   double seconds;
