@@ -300,14 +300,18 @@ VS_API bool vs_call_get(vs_scheme *s, size_t index, vs_call_info *out);
 
 /* ---- profile ---- */
 
-/* Starts (on) or ends sampling. Every few milliseconds the interpreter records the running procedure. A start discards
- * earlier samples. */
+/* Starts (on) or ends sampling: often, the interpreter records the running calls. A start discards earlier samples. */
 VS_API void vs_profile(vs_scheme *s, bool on);
 typedef struct { const char *procedure; vs_span at; double own, whole;
     /* fractions of all samples. own: in the procedure itself. whole: also in its callees */ } vs_profile_info;
 /* Describes a procedure; index 0 has the most time. Returns false for an index after the last. *looks is the number of
  * samples. */
 VS_API bool vs_profile_get(vs_scheme *s, size_t index, vs_profile_info *out, size_t *looks);
+typedef struct { const char *procedure; vs_span at; /* its name, or ""; the place that runs in it */
+    size_t caller; /* 1 + index of its caller, which comes before it; 0: none */
+    double seconds, bytes; /* time, and memory allocated, at this place without its callees */ } vs_profile_call_info;
+/* Describes a call of the tree of calls, each below its caller. Returns false for an index after the last. */
+VS_API bool vs_profile_call(vs_scheme *s, size_t index, vs_profile_call_info *out);
 
 /* ---- parameters: results of (define-parameter ...), as data for sliders and -D ---- */
 
@@ -798,9 +802,9 @@ typedef uint64_t vs_handle;
 typedef enum {
   VS_HANDLE_NONE, /* the value 0, which is not a handle */
   VS_HANDLE_BOOLEAN, VS_HANDLE_NUMBER, VS_HANDLE_TEXT, VS_HANDLE_SYMBOL,
-  VS_HANDLE_LIST, /* a proper list; a pair such as (1 . 2) is VS_HANDLE_OTHER */ VS_HANDLE_POINT,
-      VS_HANDLE_VECTOR,
-  VS_HANDLE_MATRIX, VS_HANDLE_OBJECT, VS_HANDLE_NODE, VS_HANDLE_PROPERTY, VS_HANDLE_PROCEDURE, VS_HANDLE_OTHER,
+  VS_HANDLE_LIST, /* a proper list; a pair such as (1 . 2) is VS_HANDLE_OTHER */
+  VS_HANDLE_POINT, VS_HANDLE_VECTOR, VS_HANDLE_MATRIX, VS_HANDLE_OBJECT, VS_HANDLE_NODE, VS_HANDLE_PROPERTY,
+  VS_HANDLE_PROCEDURE, VS_HANDLE_OTHER,
   VS_HANDLE_HOST /* made by vs_handle_host */
 } vs_handle_kind;
 
@@ -834,18 +838,15 @@ VS_API bool vs_handle_get_boolean(vs_scheme *s, vs_handle h); /* Returns false f
 /* Reads the numbers of a number (1), point, vector (3) or matrix (16, row by row). Copies at most room numbers to out.
  * Returns how many numbers the value has, or 0 for any other value. */
 VS_API size_t vs_handle_get_numbers(vs_scheme *s, vs_handle h, double *out, size_t room);
-VS_API bool vs_handle_is_exact(vs_scheme *s, vs_handle h); /* returns true for an exact number, whose text has all
-                                                            * digits */
+VS_API bool vs_handle_is_exact(vs_scheme *s, vs_handle h); /* an exact number: its text has all digits */
 /* Returns the text of a text or symbol, or a number as a program writes it; NULL for any other value. It is valid until
  * the next call of this function or of vs_handle_get_text_bytes. */
 VS_API const char *vs_handle_get_text(vs_scheme *s, vs_handle h);
-VS_API const char *vs_handle_get_text_bytes(vs_scheme *s, vs_handle h, size_t *length); /* the text may contain zero
-                                                                                         * bytes */
-VS_API size_t vs_handle_count(vs_scheme *s, vs_handle list); /* Returns the number of elements of a list, or 0 for any
-                                                              * other value. */
+VS_API const char *vs_handle_get_text_bytes(vs_scheme *s, vs_handle h, size_t *length); /* may contain zero bytes */
+/* Returns the number of elements of a list, or 0 for any other value. */
+VS_API size_t vs_handle_count(vs_scheme *s, vs_handle list);
 VS_API vs_handle vs_handle_item(vs_scheme *s, vs_handle list, size_t index);
-VS_API bool vs_handle_same(vs_scheme *s, vs_handle a, vs_handle b); /* returns true if both handles refer to the same
-                                                                     * value (eq?) */
+VS_API bool vs_handle_same(vs_scheme *s, vs_handle a, vs_handle b); /* returns whether both refer to one value (eq?) */
 
 /* vs_lookup returns the value of a name of the program or the language. vs_apply calls a procedure. After an error of
  * the program, reported to `diagnose`, there is no result. result may be NULL. */
@@ -866,19 +867,18 @@ VS_API void vs_host_fail(vs_scheme *s, const char *message);
  * Each function has the effect of the procedure of the language that its comment or name gives, with the same rules and
  * messages. */
 
-VS_API vs_handle vs_scene_controller(vs_scheme *s); /* (node-controller): returns the controller, whose properties are
-                                                     * the events */
+VS_API vs_handle vs_scene_controller(vs_scheme *s); /* (node-controller); its properties are the events */
 VS_API vs_handle vs_node_root(vs_scheme *s);
 /* (node-create type #:name name #:parent parent); type NULL: 'context; name NULL: none; parent 0: none */
 VS_API vs_handle vs_node_create(vs_scheme *s, const char *type, const char *name, vs_handle parent);
-VS_API vs_handle vs_node_find(vs_scheme *s, const char *name); /* Returns the node with this name, or 0, without an
-                                                                * error, if there is none. */
+/* Returns the node with this name, or 0, without an error, if there is none. */
+VS_API vs_handle vs_node_find(vs_scheme *s, const char *name);
 /* vs_node_parent, vs_node_children and vs_node_name run no code of the program, so a callback of a running program may
  * call them too. */
 VS_API vs_handle vs_node_parent(vs_scheme *s, vs_handle node); /* Returns the parent, or 0 if the node has none. */
 VS_API vs_handle vs_node_children(vs_scheme *s, vs_handle node); /* Returns a list of the node's children. */
-VS_API const char *vs_node_name(vs_scheme *s, vs_handle node); /* returns the name, valid as for vs_handle_get_text;
-                                                                * NULL: the node has no name */
+/* Returns the name, valid as for vs_handle_get_text, or NULL if the node has none. */
+VS_API const char *vs_node_name(vs_scheme *s, vs_handle node);
 VS_API vs_outcome vs_node_add_child(vs_scheme *s, vs_handle parent, vs_handle child);
 VS_API vs_outcome vs_node_remove_child(vs_scheme *s, vs_handle parent, vs_handle child);
 /* Places a node. Each array has three numbers; the rotation is in degrees about X, Y and Z. NULL: unchanged. */
@@ -887,8 +887,8 @@ VS_API vs_outcome vs_node_place(vs_scheme *s, vs_handle node, const double *tran
 /* Computes the matrix from the node's coordinates to those of the parent or of the world: row by row, for column
  * vectors. */
 VS_API bool vs_node_matrix(vs_scheme *s, vs_handle node, bool world, double out[16]);
-VS_API vs_outcome vs_node_set_drawing(vs_scheme *s, vs_handle node, vs_handle drawing); /* drawing: an object, or a list
-                                                                                         * of objects */
+/* drawing: an object, or a list of objects */
+VS_API vs_outcome vs_node_set_drawing(vs_scheme *s, vs_handle node, vs_handle drawing);
 VS_API vs_handle vs_node_object(vs_scheme *s, vs_handle node); /* Returns the node's whole visible drawing as an
                                                                 * object. */
 
@@ -919,8 +919,8 @@ VS_API vs_outcome vs_update(vs_scheme *s);
 /* ---- actions and picks ---- */
 
 VS_API vs_outcome vs_action_apply(vs_scheme *s, const char *action, vs_handle node); /* (action-apply 'action node) */
-VS_API vs_outcome vs_scene_frame(vs_scheme *s, double seconds); /* applies the actions update, draw and finish to the
-                                                                 * whole tree */
+/* Applies the actions update, draw and finish to the whole tree. */
+VS_API vs_outcome vs_scene_frame(vs_scheme *s, double seconds);
 
 typedef struct {
   double distance;      /* distance from the ray's start, in model units */

@@ -19,6 +19,7 @@
 #include "cli/prompt/repl.h"
 #include "cli/lsp/language_server.h"
 #include "cli/mcp/mcp_server.h"
+#include "cli/profile/profile_command.h"
 #include "cli/limits.h"
 #include "cli/nearby.h"
 #include "cli/prompt/standard_output.h"
@@ -424,13 +425,18 @@ static vs_outcome run_batch(cli_session *c) {
     if (!set_parameters(c)) return VS_OUTCOME_USAGE;
     vs_sun_span span;
     if (o->command == CLI_COMMAND_sunstudy && !cli_sun_options(o, &span)) return VS_OUTCOME_USAGE;
+    if (o->command == CLI_COMMAND_profile) vs_profile(c->scheme, true);
     outcome = o->command == CLI_COMMAND_diff ? cli_difference(c)
         : o->command == CLI_COMMAND_fit ? cli_fit(c)
         : o->command == CLI_COMMAND_test ? cli_test_run(c, run_file) : run_sources(c, false);
     if (outcome == VS_OUTCOME_DONE && o->parameters) cli_report_parameters(stdout, c->scheme);
     if (o->command == CLI_COMMAND_sweep && outcome == VS_OUTCOME_DONE) cli_sweep_tell(o->results, c->scheme);
     if (o->command == CLI_COMMAND_sweep && outcome != VS_OUTCOME_DONE) cli_inputs_tell(c->told, c->scheme);
-    if (outcome == VS_OUTCOME_DONE && o->command != CLI_COMMAND_fit)
+    if (o->command == CLI_COMMAND_profile && outcome != VS_OUTCOME_USAGE) { /* also of a run that was ended early */
+      vs_outcome told = cli_profile(c);
+      if (outcome == VS_OUTCOME_DONE) outcome = told;
+    }
+    if (outcome == VS_OUTCOME_DONE && o->command != CLI_COMMAND_fit && o->command != CLI_COMMAND_profile)
       outcome = o->command == CLI_COMMAND_sunstudy ? cli_sun_command(c) : write_all(c);
   }
   if (outcome == VS_OUTCOME_DONE && !cli_dependencies_write(c)) outcome = VS_OUTCOME_USAGE;
@@ -492,7 +498,8 @@ static vs_outcome view_model(const cli_options *o) {
  * Sets *told if a failure of standard output was reported. */
 static int run_session(cli_options *o, bool *told) {
   bool own_output = o->to_stdout || o->command == CLI_COMMAND_params || o->command == CLI_COMMAND_diff ||
-                    o->command == CLI_COMMAND_fit || o->command == CLI_COMMAND_test;
+                    o->command == CLI_COMMAND_fit || o->command == CLI_COMMAND_test ||
+                    o->command == CLI_COMMAND_profile;
   FILE *output = own_output ? stderr : stdout;
   cli_session session = { .options = o, .told = cli_inputs_find(), .output = output,
                           .interrupts = &interrupts, .ended = &ended };

@@ -885,6 +885,11 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
             o->targets[i].path);
     return CLI_BAD_USAGE;
   }
+  bool flames = o->target_count == 1 && o->targets[0].format && !strcmp(o->targets[0].format, "svg");
+  if (o->command == CLI_COMMAND_profile && o->target_count && !flames) {
+    fputs("vs profile: -o writes the tree of calls: one file, which ends in .svg\n", stderr);
+    return CLI_BAD_USAGE;
+  }
   if (o->all_views && o->output.view) {
     fputs("vs: give --all-views or --view, not both\n", stderr);
     return CLI_BAD_USAGE;

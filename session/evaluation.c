@@ -7,6 +7,7 @@
 #include "model/store/cache.h"
 #include "session/handles.h"
 #include "session/host.h"
+#include "session/profile/call_profile.h"
 #include "session/report.h"
 #include "session/stops.h"
 #include "vm/machine/vs.h"
@@ -22,6 +23,7 @@ void vs_session_begin(vs_session *s, unsigned flags) {
   s->bind.bad_parameter = s->bind.handing = false;
   s->phase = "evaluating", s->told_progress = vm->started;
   vs_session_arm(s, flags);
+  vs_session_resume_profile(s);
 }
 
 bool vs_session_is_exit(vs_value condition) {

@@ -2,7 +2,7 @@
  * it has set them. The VM makes no other system calls. */
 #include "session/host.h"
 
-#include "session/names.h"
+#include "session/profile/call_profile.h"
 #include "session/report.h"
 #include "session/session.h"
 

@@ -54,16 +54,13 @@ typedef struct {
   double stages[VS_STAGE_COUNT]; /* seconds of each stage; NAN if the format skips it, or the output failed earlier */
 } vs_output_record;
 
-/* A procedure that samples have found running (names.c). own: samples in the procedure itself; whole: samples in it or
- * in procedures that it called. */
-typedef struct { vs_value name; vs_pos place; uint64_t own, whole; } vs_profile_row;
-
 #define VS_INPUT_KEPT "it was read by this run, and no output takes the place of what it is made from"
 
 typedef struct vs_own_format vs_own_format;
 typedef struct vs_handles vs_handles;
 typedef struct vs_host_meshes vs_host_meshes;
 typedef struct vs_scan_fit vs_scan_fit;
+typedef struct vs_call_profile vs_call_profile;
 
 typedef struct {
   vs_bind bind;             /* must be the first member: vs_bind pointers are converted to vs_session */
@@ -96,10 +93,8 @@ typedef struct {
   vs_host_meshes *meshes;   /* meshes passed to the host (host_meshes.c), or NULL if there are none */
   unsigned flags;           /* flags VS_EVAL_... with which the current evaluation was called */
   unsigned results;         /* number of names $1, $2 ... that the prompt has given to results */
-  bool profiling;
-  uint64_t looks;
-  vs_profile_row profile[256];
-  size_t profile_count;
+  bool profiling;           /* whether each poll takes a sample */
+  vs_call_profile *profile; /* samples (profile/call_profile.c), or NULL */
 } vs_session;
 
 static inline vs_session *vs_session_of(const vs_scheme *vm) { return (vs_session *)vm->host; }

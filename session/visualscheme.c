@@ -26,6 +26,7 @@
 #include "session/handles.h"
 #include "session/host_meshes.h"
 #include "session/names.h"
+#include "session/profile/call_profile.h"
 #include "session/stops.h"
 #include "session/comparison.h"
 #include "session/fit/scan_fit.h"
@@ -318,7 +319,7 @@ vs_outcome vs_restart(vs_scheme *vm) {
   for (size_t i = 0; i < s->source_count; i++) s->sources[i].before = true;
   s->exit_requested = false;
   s->results = 0;
-  s->profile_count = 0; /* forgets names of procedures that belong to the old heap */
+  vs_session_forget_profile(s); /* its names belong to the old heap */
   return VS_OUTCOME_DONE;
 }
 
@@ -332,6 +333,7 @@ void vs_free(vs_scheme *vm) {
   vs_session_free_meshes(s);
   vs_session_free_comparison(s);
   vs_session_free_fit(s);
+  vs_session_forget_profile(s);
   vs_bind_close(&s->bind);
   vs_session_close_files(s);
   vs_session_free_sources(s);

@@ -17,7 +17,7 @@ set -u
 cd "$(dirname "$0")/.." || exit 1
 [ "${1:-}" = --suite ] || BUILD=${1:-build}
 case $BUILD in /*) ;; *) BUILD=$PWD/$BUILD ;; esac
-SUITES=${SUITES:-unit lang javascript cli shell editors format lsp mcp prompt keys signals manual bad workers cross texts slips solids embed limits layers compilers${LONG:+ page live determinism}}
+SUITES=${SUITES:-unit lang javascript cli shell editors format lsp mcp desk prompt keys signals manual bad workers cross texts slips solids embed limits layers compilers${LONG:+ page live determinism}}
 export BUILD ONLY="${ONLY:-}" BLESS="${BLESS:-}" LONG="${LONG:-}" LC_ALL=C.UTF-8
 . tests/limited.sh
 work=$(mktemp -d) || exit 1
@@ -54,6 +54,7 @@ suite_editors()   { sh tests/editors.sh; }
 suite_format()    { sh tests/format.sh; }
 suite_lsp()       { sh tests/lsp.sh; }
 suite_mcp()       { sh tests/mcp.sh; }
+suite_desk()      { sh tests/desk.sh; }
 suite_prompt()    { sh tests/prompt.sh; }
 suite_keys()      { sh tests/prompt/screen.sh; }
 suite_signals()   { sh tests/signals.sh; }

@@ -39,6 +39,12 @@ vs_pos vs_code_place(const vs_code *code, uint32_t pc) {
   return p ? (vs_pos)p->high << 32 | p->low : 0;
 }
 
+vs_pos vs_code_near_place(const vs_code *code, uint32_t pc) {
+  vs_pos exact = vs_code_place(code, pc);
+  const vs_place *p = exact ? NULL : place_at(code, UINT32_MAX);
+  return p ? (vs_pos)p->high << 32 | p->low : exact;
+}
+
 uint32_t vs_code_place_start(const vs_code *code, uint32_t pc) {
   const vs_place *p = place_at(code, pc);
   return p ? p->pc : 0;

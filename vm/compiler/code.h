@@ -35,6 +35,9 @@ typedef struct vs_inlined { uint32_t pc, constant; } vs_inlined;
 
 vs_pos vs_code_place(const vs_code *code, uint32_t pc);               /* Returns the place of the instruction at or
                                                                        * before pc. */
+/* Returns the place of the instruction at or before pc. If no place precedes pc, returns the last place of the code, or
+ * 0 if there is none. */
+vs_pos vs_code_near_place(const vs_code *code, uint32_t pc);
 uint32_t vs_code_place_start(const vs_code *code, uint32_t pc);       /* Returns the index of the last instruction at or
                                                                        * before pc that has a place. */
 const vs_vector *vs_code_variables(const vs_code *code);              /* Returns the vector of variables for a debugger,

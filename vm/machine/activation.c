@@ -217,10 +217,13 @@ bool vs_call_variables(vs_scheme *vm, vs_value *out) {
 }
 
 size_t vs_call_links(vs_scheme *vm, vs_value *name, vs_pos *place, size_t max) {
-  enum { MOST = 64 };
+  enum { MOST = 200 };
   struct link at[MOST];
   size_t n = chain(vm, at, max < MOST ? max : MOST);
-  for (size_t i = 0; i < n; i++) { name[i] = at[i].name; place[i] = at[i].place; }
+  for (size_t i = 0; i < n; i++) {
+    name[i] = at[i].name;
+    place[i] = vs_code_near_place(vs_as_code(vs_as_closure(at[i].base[-2])->code), (uint32_t)at[i].pc);
+  }
   return n;
 }
 

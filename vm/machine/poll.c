@@ -22,7 +22,7 @@ static bool check_limits(vs_scheme *vm) {
 }
 
 void vs_refuel(vs_scheme *vm) {
-  uint64_t turns = POLL_TURNS, limit = vm->config.step_limit;
+  uint64_t turns = vm->poll_turns ? vm->poll_turns : POLL_TURNS, limit = vm->config.step_limit;
   if (limit && vm->steps <= limit && limit - vm->steps < turns) turns = limit - vm->steps + 1;
   vm->fuel = (int64_t)turns;
   vm->steps += turns;

@@ -129,6 +129,7 @@ struct vs_scheme {
 
   /* Counts of work and memory, which are compared with the limits. */
   int64_t fuel;                    /* number of turns (calls and loop iterations) until the next poll */
+  uint32_t poll_turns;             /* turns between two polls; 0: the usual number */
   uint64_t work;                   /* steps of natives that do not yet make a full turn */
   uint64_t steps;                  /* number of turns used up to the last poll */
   double started;

@@ -1,0 +1,101 @@
+/* Implements `vs profile FILE`: the time and the memory of each line of a program. */
+#include "cli/profile/profile_command.h"
+
+#include <errno.h>
+#include <string.h>
+
+#include "cli/json.h"
+#include "cli/profile/flame_graph.h"
+
+enum { MOST_LINES = 30, TEXT = 60 };
+static const double LEAST_SHARE = 0.002; /* lines with less of the time are not listed in the table */
+
+static void print_table(const profile_tree *t) {
+  printf("    own  total    memory  line\n");
+  for (size_t i = 0; i < t->line_count && i < MOST_LINES; i++) {
+    const profile_line *l = &t->lines[i];
+    char text[TEXT + 1], place[80];
+    if (l->own < LEAST_SHARE * t->seconds && i) break;
+    profile_line_text(l->file, l->line, text, sizeof text);
+    snprintf(place, sizeof place, "%.60s:%u", l->file, (unsigned)l->line);
+    printf("%5.1f %% %4.0f %% %6.1f MB  %-20s  %s\n", 100 * l->own / t->seconds, 100 * l->whole / t->seconds,
+           l->bytes / 1048576, place, text);
+  }
+  printf("%.3g s, %.1f MB, %zu samples; own: the line itself, total: with the calls that it makes\n", t->seconds,
+         t->bytes / 1048576, t->looks);
+}
+
+static void print_place(const char *file, uint32_t line) {
+  fputs("\"file\":", stdout);
+  cli_json_text(stdout, file ? file : "");
+  printf(",\"line\":%u", (unsigned)line);
+}
+
+static void print_measure(const char *key, double value) {
+  printf(",\"%s\":", key);
+  cli_json_number(stdout, value);
+}
+
+static void print_json(const profile_tree *t) {
+  printf("{\"schema\":1,\"samples\":%zu", t->looks);
+  print_measure("seconds", t->seconds);
+  print_measure("bytes", t->bytes);
+  fputs(",\"lines\":[", stdout);
+  for (size_t i = 0; i < t->line_count; i++) {
+    const profile_line *l = &t->lines[i];
+    fputs(i ? ",\n{" : "\n{", stdout);
+    print_place(l->file, l->line);
+    print_measure("own", l->own);
+    print_measure("total", l->whole);
+    print_measure("bytes", l->bytes);
+    fputc('}', stdout);
+  }
+  fputs("],\"calls\":[", stdout);
+  for (size_t i = 0; i < t->count; i++) {
+    const vs_profile_call_info *c = &t->calls[i];
+    printf("%s\n{\"caller\":%zu,\"procedure\":", i ? "," : "", c->caller);
+    cli_json_text(stdout, c->procedure);
+    fputc(',', stdout);
+    print_place(c->at.file, c->at.line);
+    print_measure("own", c->seconds);
+    print_measure("total", t->whole[i]);
+    fputc('}', stdout);
+  }
+  puts("]}");
+}
+
+/* Writes the file, which appears only when it is complete. */
+static vs_outcome write_flames(const profile_tree *t, const cli_session *c) {
+  const char *path = c->options->targets[0].path, *title = c->options->sources[0].text;
+  char part[4096];
+  if (!strcmp(path, "-")) return profile_write_flames(t, title, stdout) ? VS_OUTCOME_DONE : VS_OUTCOME_MACHINE;
+  int n = snprintf(part, sizeof part, "%s.part", path);
+  FILE *to = n < (int)sizeof part ? fopen(part, "wb") : NULL;
+  bool ok = to && profile_write_flames(t, title, to) && !ferror(to);
+  if (to) ok = fclose(to) == 0 && ok;
+  if (ok && rename(part, path) == 0) return VS_OUTCOME_DONE;
+  fprintf(stderr, "vs profile: %s: %s\n", path, strerror(errno));
+  if (to) remove(part);
+  return VS_OUTCOME_USAGE;
+}
+
+vs_outcome cli_profile(cli_session *c) {
+  const cli_options *o = c->options;
+  profile_tree t;
+  vs_profile(c->scheme, false);
+  vs_outcome outcome = VS_OUTCOME_DONE;
+  if (!profile_tree_read(&t, c->scheme)) {
+    fputs("vs: out of memory\n", stderr);
+    outcome = VS_OUTCOME_MACHINE;
+  } else if (o->target_count && vs_is_input(c->scheme, o->targets[0].path)) {
+    fprintf(stderr, "vs profile: %s: it was read by this run; -o names another file\n", o->targets[0].path);
+    outcome = VS_OUTCOME_USAGE;
+  } else {
+    if (o->target_count) outcome = write_flames(&t, c);
+    if (o->json) print_json(&t);
+    else if (!t.looks) puts("no sample fell into the program: its run is too short");
+    else if (!o->to_stdout) print_table(&t);
+  }
+  profile_tree_free(&t);
+  return outcome;
+}

@@ -1,0 +1,11 @@
+/* Declares the samples of a running program. */
+#ifndef VS_SESSION_PROFILE_CALL_PROFILE_H
+#define VS_SESSION_PROFILE_CALL_PROFILE_H
+
+#include "session/session.h"
+
+void vs_session_look(vs_session *s);           /* takes a sample */
+void vs_session_resume_profile(vs_session *s); /* the time before this call belongs to no call of the program */
+void vs_session_forget_profile(vs_session *s); /* discards the samples */
+
+#endif
