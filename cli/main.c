@@ -19,6 +19,8 @@
 #include "cli/prompt/repl.h"
 #include "cli/lsp/language_server.h"
 #include "cli/mcp/mcp_server.h"
+#include "cli/packages/add_command.h"
+#include "cli/packages/new_command.h"
 #include "cli/profile/profile_command.h"
 #include "cli/limits.h"
 #include "cli/nearby.h"
@@ -606,6 +608,11 @@ static int run_command(int argc, char **argv, bool *told) {
   if (options.command == CLI_COMMAND_mcp) {
     hear_signals();
     vs_outcome outcome = cli_mcp_server(&options, &interrupts, run_words);
+    cli_options_free(&options);
+    return (int)outcome;
+  }
+  if (options.command == CLI_COMMAND_add || options.command == CLI_COMMAND_new) {
+    vs_outcome outcome = options.command == CLI_COMMAND_add ? cli_add_command(&options) : cli_new_command(&options);
     cli_options_free(&options);
     return (int)outcome;
   }

@@ -15,6 +15,7 @@
 #include "cli/batch/ranges.h"
 #include "cli/nearby.h"
 #include "cli/sweep/set_files.h"
+#include "cli/packages/package_lock.h"
 
 typedef enum { VALUE_NONE, VALUE_REQUIRED, VALUE_OPTIONAL } value_rule;
 typedef struct option_row option_row;
@@ -307,6 +308,18 @@ static bool add_folders(cli_options *o, const char *folders) {
   if (have) path[have++] = ':';
   memcpy(path + have, folders, more + 1);
   return true;
+}
+
+/* Appends the folder of packages that belongs to the first program. Returns false after a message if a package is not
+ * as its lock says. */
+static bool add_packages(cli_options *o) {
+  char path[4200], why[PACKAGE_WHY];
+  const char *model = NULL;
+  for (size_t i = 0; i < o->source_count && !model; i++)
+    if (o->sources[i].kind == CLI_SOURCE_FILE && strcmp(o->sources[i].text, "-")) model = o->sources[i].text;
+  if (package_path(model, path, sizeof path, why)) return !*path || add_folders(o, path);
+  fprintf(stderr, "vs: %s\n", why);
+  return false;
 }
 
 /* Returns true if all folders exist; otherwise prints a message. Only -L is checked: a folder of VS_LIBRARY_PATH need
@@ -647,6 +660,16 @@ static bool no_files(const cli_options *o) {
   return none;
 }
 
+static bool plain_words(const cli_options *o) {
+  const char *name = commands[o->command - 1].name;
+  bool words = !o->target_count && !o->interactive && !o->untrusted && !o->check && !o->define_count;
+  for (size_t i = 0; i < o->source_count; i++)
+    words = words && o->sources[i].kind == CLI_SOURCE_FILE && strcmp(o->sources[i].text, "-") != 0;
+  if (words && (o->command != CLI_COMMAND_new || o->source_count == 1)) return true;
+  fprintf(stderr, "vs %s: as in vs %s %s\n", name, name, commands[o->command - 1].arguments);
+  return false;
+}
+
 static bool text_files(const cli_options *o) {
   bool files = o->source_count > 0 && !o->target_count && !o->interactive && !o->untrusted && !o->define_count;
   for (size_t i = 0; i < o->source_count; i++) files = files && o->sources[i].kind == CLI_SOURCE_FILE;
@@ -665,6 +688,7 @@ static bool command_files(const cli_options *o, unsigned takes) {
   if (takes & CLI_TAKES_PROGRAMS) return test_files(o);
   if (takes & CLI_TAKES_TEXTS) return text_files(o);
   if (takes & CLI_TAKES_NOTHING) return no_files(o);
+  if (takes & CLI_TAKES_WORDS) return plain_words(o);
   const char *name = commands[o->command - 1].name;
   size_t want = takes & (CLI_TAKES_TWO | CLI_TAKES_SCAN) ? 2 : 1;
   bool files = o->source_count == want, output = takes & CLI_TAKES_OUTPUT || o->target_count == 0;
@@ -819,7 +843,7 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     fputs("vs render: --film needs all frames: give it without --only, when all parts are done\n", stderr);
     return CLI_BAD_USAGE;
   }
-  for (size_t i = 0; !(takes & (CLI_TAKES_PICTURE)) && i < o->source_count; i++) {
+  for (size_t i = 0; !(takes & (CLI_TAKES_PICTURE | CLI_TAKES_WORDS)) && i < o->source_count; i++) {
     const char *path = o->sources[i].text;
     char near[4096];
     if (o->sources[i].kind != CLI_SOURCE_FILE || access(path, F_OK) == 0 ||
@@ -834,7 +858,7 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     return CLI_BAD_USAGE;
   }
   /* Finds files that are probably outputs without -o, as in: vs model.vs a.stl. */
-  for (size_t i = 0; !(takes & (CLI_TAKES_PICTURE | CLI_TAKES_SCAN)) && i < o->source_count; i++) {
+  for (size_t i = 0; !(takes & (CLI_TAKES_PICTURE | CLI_TAKES_SCAN | CLI_TAKES_WORDS)) && i < o->source_count; i++) {
     const char *path = o->sources[i].text;
     const vs_format_info *f = o->sources[i].kind == CLI_SOURCE_FILE && strchr(path, '.') ? vs_format_find(path) : NULL;
     if (!f) continue;
@@ -859,6 +883,7 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
   if (o->command == CLI_COMMAND_params) o->parameters = o->quiet = true;
   const char *folders = getenv("VS_LIBRARY_PATH");
   if (folders && *folders && !add_folders(o, folders)) return CLI_BAD_USAGE;
+  if (!(takes & (CLI_TAKES_WORDS | CLI_TAKES_PICTURE)) && !o->untrusted && !add_packages(o)) return CLI_BAD_USAGE;
   o->interpreter.library_path = o->library_path;
   for (size_t i = takes & CLI_TAKES_SCAN ? 1 : o->source_count; i-- > 0;)
     if (o->sources[i].kind == CLI_SOURCE_FILE && strcmp(o->sources[i].text, "-") != 0) o->words[0] = o->sources[i].text;

@@ -39,7 +39,8 @@ enum { CLI_TAKES_JSON = 1, CLI_TAKES_XML = 2, CLI_TAKES_TWO = 4 /* the command r
        CLI_TAKES_PROGRAMS = 4096 /* the command accepts any number of programs, and no -o */,
        CLI_TAKES_TEXTS = 8192 /* the command accepts any number of files, - too, and --check, but no -o */,
        CLI_TAKES_NOTHING = 16384 /* the command accepts no file, and no -o */,
-       CLI_TAKES_SWEEP = 32768 /* the command accepts one file, --set, and -o with folders, patterns and a table */ };
+       CLI_TAKES_SWEEP = 32768 /* the command accepts one file, --set, and -o with folders, patterns and a table */,
+       CLI_TAKES_WORDS = 65536 /* the words of the command are no programs, and it accepts no -o */ };
 
 typedef struct {
   cli_command command;

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Tests the commands of a programmer's desk: vs profile (tests/desk/*.py, a file for each command).
+# Tests the commands of a programmer's desk: vs profile, vs new, vs add (tests/desk/*.py).
 . tests/report.sh
 if ! command -v python3 > /dev/null; then echo "skip desk: no python3"; exit; fi
 for part in tests/desk/*.py; do
