@@ -56,6 +56,14 @@ if command -v vim > /dev/null && vim --version | grep -q '+quickfix' && vim --ve
     tower -c 'VsView' -c 'sleep 2'
     same "vim:VsView" "1" "$(grep -c '^http://127.0.0.1:[0-9]*/#[0-9a-f]*$' "$work/address" 2> /dev/null)"
   fi
+  if [ -d /usr/share/vim-ale ]; then
+    cp tests/editors/slips.vs "$work/ale.vs"
+    (cd "$work" && timeout 60 vim -es -u NONE -i NONE --cmd 'set nocompatible' --cmd 'set rtp^=/usr/share/vim-ale' --cmd "set rtp^=$here/editors/vim" --cmd 'filetype plugin on' --cmd 'runtime plugin/ale.vim' ale.vs \
+      -c 'ALELint' -c 'let tries = 0' -c 'while len(ale#engine#GetLoclist(bufnr(""))) < 2 && tries < 200 | sleep 50m | let tries += 1 | endwhile' \
+      -c "call writefile(map(copy(ale#engine#GetLoclist(bufnr(''))), {_, q -> q.lnum . ':' . q.col . ' ' . q.text}), 'found')" \
+      -c 'call cursor(5, 8)' -c 'ALEGoToDefinition' -c 'let tries = 0' -c 'while line(".") == 5 && tries < 200 | sleep 50m | let tries += 1 | endwhile' -c "call writefile([line('.') . ':' . col('.')], 'at')" -c 'qa!') > "$work/said" 2>&1
+    same "vim:ALE" "3:17 wall does not use its parameter unused|4:4 make-bx is not defined; did you mean make-box?|3:10|" "$(cat "$work/found" "$work/at" | tr '\n' '|')"
+  else echo "skip editors/vim:ALE: no vim-ale"; fi
 else echo "skip editors/vim: no vim with its language"; fi
 
 if command -v emacs > /dev/null; then
@@ -79,7 +87,22 @@ if command -v emacs > /dev/null; then
   rm -f "$work/address"
   tower '(setq browse-url-browser-function (lambda (url &rest _) (with-temp-file "address" (insert url)))) (visualscheme-view) (let ((end (+ (float-time) 20))) (while (and (not (file-exists-p "address")) (< (float-time) end)) (accept-process-output nil 0.1)))'
   same "emacs:visualscheme-view" "1" "$(grep -c '^http://127.0.0.1:[0-9]*/#[0-9a-f]*$' "$work/address" 2> /dev/null)"
+  if emacs --batch -q --eval "(require 'eglot)" > /dev/null 2>&1; then
+    cp tests/editors/slips.vs "$work/session.vs"
+    timeout 100 emacs --batch -q -L editors/emacs -l visualscheme -l tests/editors/eglot.el --eval "(session \"$work/session.vs\")" > "$work/said" 2> "$work/errors"
+    same "emacs:eglot" "$(cat tests/editors/eglot.want)" "$(cat "$work/said")"
+  else echo "skip editors/emacs:eglot: no elpa-eglot"; fi
 else echo "skip editors/emacs: not installed"; fi
+
+# Kate's files are well-formed, and its language server is that of the colours' name.
+if command -v xmllint > /dev/null && command -v python3 > /dev/null; then
+  xmllint --noout --nonet editors/kate/visualscheme.xml > "$work/said" 2>&1
+  same "kate:colours" "0" "$?$(cat "$work/said")"
+  same "kate:server" "vs lsp" "$(python3 -c 'import json, re, sys, xml.etree.ElementTree as t
+server = json.load(open("editors/kate/lspclient.json"))["servers"]["visualscheme"]
+name = t.parse("editors/kate/visualscheme.xml").getroot().get("name")
+print(" ".join(server["command"]) if re.search(server["highlightingModeRegex"], name) else name)')"
+else echo "skip editors/kate: no xmllint or no python3"; fi
 
 # The extension's functions, with a replacement for the editor's module.
 if command -v node > /dev/null; then
@@ -91,6 +114,18 @@ class Diagnostic { constructor(range, message, severity) { Object.assign(this, {
 module.exports = { Position, Range, Diagnostic, DiagnosticSeverity: { Error: 0, Warning: 1, Information: 2 } };
 END
   cp editors/vscode/extension.js "$work/"
+  cat > "$work/server.js" <<'END'
+const path = require("path"), fs = require("fs");
+const vscode = require("vscode");
+vscode.workspace = { getConfiguration: () => ({ get: (name) => ({ command: "vs" })[name] }) };
+const { startServer } = require("./extension.js");
+console.log(startServer() === null ? "no client" : "a client");
+fs.mkdirSync("node_modules/vscode-languageclient", { recursive: true });
+fs.writeFileSync("node_modules/vscode-languageclient/node.js", "class LanguageClient { constructor(...of) { this.of = of; } start() { this.started = true; } stop() {} } module.exports = { LanguageClient, TransportKind: { stdio: 0 } };");
+const client = startServer(), [, , server, options] = client.of;
+console.log(client.started, server.command, server.args.join(), options.documentSelector.map((d) => d.language).join());
+END
+  same "vscode:server" "no client|true vs lsp visualscheme,visualscheme|" "$(cd "$work" && node server.js 2>&1 | tr '\n' '|')"
   cat > "$work/try.js" <<'END'
 const { problems, findings } = require("./extension.js"), { readFileSync } = require("fs");
 for (const found of [findings(readFileSync("looks.json", "utf8"), "/models"), problems(readFileSync("said", "utf8"), "/models"), findings("no JSON", "/models")])

@@ -109,6 +109,14 @@ What it says can be visited by `next-error'."
     (set-process-filter process (lambda (_ text)
                                   (when (string-match "http://127[^ \n]+" text) (browse-url (match-string 0 text)))))))
 
+;; The language server for eglot.
+(defvar eglot-server-programs)
+(defun visualscheme-server (&optional _)
+  "The command of the language server."
+  (list visualscheme-program "lsp"))
+(with-eval-after-load 'eglot
+  (add-to-list 'eglot-server-programs '(visualscheme-mode . visualscheme-server)))
+
 ;; FILE:LINE:COLUMN: message
 (add-to-list 'compilation-error-regexp-alist-alist '(visualscheme "^\\([^ \n:]+\\.vs\\):\\([0-9]+\\):\\([0-9]+\\): \\(?:\\(warning\\)\\|\\(note\\)\\|\\)" 1 2 3 (4 . 5)))
 (add-to-list 'compilation-error-regexp-alist 'visualscheme)

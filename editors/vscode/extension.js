@@ -35,7 +35,19 @@ function findings(text, folder) {
   return found;
 }
 
+// The language server, if its client's package is installed: completion, help, definitions, colours, quick fixes.
+function startServer() {
+  let node;
+  try { node = require("vscode-languageclient/node"); } catch { return null; }
+  const client = new node.LanguageClient("visualscheme", "VisualScheme", { command: setting("command"), args: ["lsp"], transport: node.TransportKind.stdio },
+    { documentSelector: [{ scheme: "file", language: "visualscheme" }, { scheme: "untitled", language: "visualscheme" }] });
+  client.start();
+  return client;
+}
+
 function activate(context) {
+  const server = startServer();
+  if (server) context.subscriptions.push({ dispose: () => server.stop() });
   const list = vscode.languages.createDiagnosticCollection("visualscheme"), looks = vscode.languages.createDiagnosticCollection("visualscheme-check"), views = new Map();
   const show = (into, found) => {
     into.clear();
@@ -44,7 +56,7 @@ function activate(context) {
   const check = (document) => {
     if (!document || document.languageId !== "visualscheme") return;
     const folder = path.dirname(document.fileName);
-    execFile(setting("command"), ["check", "--json", document.fileName], { cwd: folder, maxBuffer: 1 << 24 }, (error, out) => show(looks, findings(out, folder)));
+    if (!server) execFile(setting("command"), ["check", "--json", document.fileName], { cwd: folder, maxBuffer: 1 << 24 }, (error, out) => show(looks, findings(out, folder)));
     execFile(setting("command"), ["--quiet", "--check", "--limit-time", "60", document.fileName], { cwd: folder, maxBuffer: 1 << 24 }, (error, out, said) => {
       if (error && error.code === "ENOENT") return vscode.window.showErrorMessage("There is no command " + setting("command"));
       show(list, problems(said, folder));
@@ -77,4 +89,4 @@ function activate(context) {
     { dispose: () => { for (const server of views.values()) server.kill(); } });
 }
 
-module.exports = { activate, deactivate() {}, problems, findings };
+module.exports = { activate, deactivate() {}, problems, findings, startServer };
