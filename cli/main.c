@@ -17,6 +17,7 @@
 #include "cli/format_command.h"
 #include "cli/help_command.h"
 #include "cli/prompt/repl.h"
+#include "cli/jupyter/jupyter_command.h"
 #include "cli/lsp/language_server.h"
 #include "cli/mcp/mcp_server.h"
 #include "cli/packages/add_command.h"
@@ -602,6 +603,12 @@ static int run_command(int argc, char **argv, bool *told) {
   }
   if (options.command == CLI_COMMAND_lsp) {
     vs_outcome outcome = cli_language_server(&options);
+    cli_options_free(&options);
+    return (int)outcome;
+  }
+  if (options.command == CLI_COMMAND_jupyter) {
+    hear_signals();
+    vs_outcome outcome = cli_jupyter_command(&options, &interrupts, &ended);
     cli_options_free(&options);
     return (int)outcome;
   }

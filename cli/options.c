@@ -665,7 +665,8 @@ static bool plain_words(const cli_options *o) {
   bool words = !o->target_count && !o->interactive && !o->untrusted && !o->check && !o->define_count;
   for (size_t i = 0; i < o->source_count; i++)
     words = words && o->sources[i].kind == CLI_SOURCE_FILE && strcmp(o->sources[i].text, "-") != 0;
-  if (words && (o->command != CLI_COMMAND_new || o->source_count == 1)) return true;
+  bool one = o->command != CLI_COMMAND_new || o->source_count == 1;
+  if (words && one && (o->command != CLI_COMMAND_jupyter || o->source_count < 2)) return true;
   fprintf(stderr, "vs %s: as in vs %s %s\n", name, name, commands[o->command - 1].arguments);
   return false;
 }
