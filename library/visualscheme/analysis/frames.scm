@@ -6,12 +6,13 @@
 ; nodes: list of points; bars: list of bars; held: vector of 6 numbers a node, 1 where a support holds it; cases: list of a
 ; name and loads
 (define (make-frame nodes bars held cases)
-  (let ((all (list nodes bars (list->vector bars) held cases))) (make-framework (length nodes) (length bars) (lambda () all))))
+  (let ((all (list nodes bars (list->vector bars) held cases (list->vector (cons #f nodes))))) (make-framework (length nodes) (length bars) (lambda () all))))
 (define (nodes-of f) (first ((frame-parts f))))
 (define (members-of f) (second ((frame-parts f))))
 (define (bars-at f) (third ((frame-parts f))))
 (define (held-of f) (fourth ((frame-parts f))))
 (define (cases-of f) (fifth ((frame-parts f))))
+(define (nodes-at f) (sixth ((frame-parts f)))) ; a vector, whose indices are the numbers of nodes
 ; from, to: numbers of nodes from 1
 (define-record-type bar (make-bar from to hinged-from hinged-to roll section material length) bar?
   (from bar-from) (to bar-to) (hinged-from bar-hinged-from) (hinged-to bar-hinged-to) (roll bar-roll) (section bar-section)

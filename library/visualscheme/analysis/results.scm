@@ -60,7 +60,7 @@
 
 (define (member-forces r i t #:case [case any? #f])
   (member-index 'member-forces r i case 12)
-  (if (not (and (real? t) (<= 0 t 1))) (error 'member-forces "t must be a part of the length from 0 to 1, got ~s" t))
+  (need-part 'member-forces t)
   (forces-at r i t (case-index 'member-forces r case)))
 
 ; ---- combinations ----

@@ -8,14 +8,16 @@
 ; ---- sections ----
 
 ; area in m2; iy, iz: second moments of area about y and z, and it: torsion constant, in m4, 0 for a bar without bending;
-; wy, wz: elastic section moduli in m3; kind: shape, for the checks of standards.
-(define-record-type section (make-section kind area iy iz it wy wz) section?
-  (kind section-kind) (area section-area) (iy section-iy) (iz section-iz) (it section-it) (wy section-wy) (wz section-wz))
+; wy, wz: elastic section moduli in m3, #f if unknown; kind: shape, for the checks of standards; width, height and wall in m,
+; #f if unknown. A wall is that of a tube or box.
+(define-record-type section (make-section kind area iy iz it wy wz width height wall) section?
+  (kind section-kind) (area section-area) (iy section-iy) (iz section-iz) (it section-it) (wy section-wy) (wz section-wz)
+  (width section-width) (height section-height) (wall section-wall))
 
 (define (round-section d)
   (need-positive 'round-section 'd d)
   (let ((i (/ (* pi (expt d 4)) 64)))
-    (make-section 'round (/ (* pi d d) 4) i i (* 2 i) (/ i d 0.5) (/ i d 0.5))))
+    (make-section 'round (/ (* pi d d) 4) i i (* 2 i) (/ i d 0.5) (/ i d 0.5) d d #f)))
 
 (define (need-wall who t least)
   (need-positive who 't t)
@@ -25,7 +27,7 @@
   (need-positive 'tube-section 'd d)
   (need-wall 'tube-section t d)
   (let* ((inner (- d (* 2 t))) (i (/ (* pi (- (expt d 4) (expt inner 4))) 64)))
-    (make-section 'tube (/ (* pi (- (* d d) (* inner inner))) 4) i i (* 2 i) (/ i d 0.5) (/ i d 0.5))))
+    (make-section 'tube (/ (* pi (- (* d d) (* inner inner))) 4) i i (* 2 i) (/ i d 0.5) (/ i d 0.5) d d t)))
 
 ; Saint-Venant's series for the torsion of a rectangle with the sides a >= b.
 (define (rectangle-torsion a b)
@@ -37,7 +39,7 @@
   (need-positive 'rectangle-section 'width width)
   (need-positive 'rectangle-section 'height height)
   (make-section 'rectangle (* width height) (/ (* width (expt height 3)) 12) (/ (* height (expt width 3)) 12)
-    (rectangle-torsion (max width height) (min width height)) (/ (* width height height) 6) (/ (* height width width) 6)))
+    (rectangle-torsion (max width height) (min width height)) (/ (* width height height) 6) (/ (* height width width) 6) width height #f))
 
 ; The torsion constant is Bredt's, for the middle line of the wall.
 (define (box-section width height t)
@@ -47,7 +49,7 @@
   (let* ((w (- width (* 2 t))) (h (- height (* 2 t)))
          (iy (/ (- (* width (expt height 3)) (* w (expt h 3))) 12)) (iz (/ (- (* height (expt width 3)) (* h (expt w 3))) 12)))
     (make-section 'box (- (* width height) (* w h)) iy iz (/ (* 2 t (square (- width t)) (square (- height t))) (+ width height (* -2 t)))
-      (/ iy height 0.5) (/ iz width 0.5))))
+      (/ iy height 0.5) (/ iz width 0.5) width height t)))
 
 (define (any-section area #:iy [iy any? 0] #:iz [iz any? 0] #:it [it any? 0] #:wy [wy any? #f] #:wz [wz any? #f])
   (need-positive 'any-section 'area area)
@@ -55,7 +57,7 @@
     '(iy iz it) (list iy iz it))
   (if (not (eq? (> iy 0) (> iz 0))) (error 'any-section "iy and iz must both be positive, or both be 0 for a bar without bending"))
   (for-each (lambda (name x) (if x (need-positive 'any-section name x))) '(wy wz) (list wy wz))
-  (make-section 'any area iy iz it wy wz))
+  (make-section 'any area iy iz it wy wz #f #f #f))
 
 ; ---- materials ----
 
