@@ -1,8 +1,9 @@
-; Analysis of models: structures. Units are metre, newton, pascal and kilogram.
+; Analysis of models: structures and heat. Units are metre, newton, pascal and kilogram.
 (define-library (visualscheme analysis)
   (export frame frame? frame-solve displacement rotation reaction reaction-moment member-force member-forces case-names combine-cases utilisation
     member-displacement deformed frame-picture color-legend
+    u-value heat-balance
     round-section tube-section rectangle-section box-section any-section section? section-area
     structural-material structural-material?)
   (import (visualscheme) (analysis core))
-  (include "analysis/sections.scm" "analysis/frames.scm" "analysis/results.scm" "analysis/checks.scm" "analysis/deformation.scm"))
+  (include "analysis/sections.scm" "analysis/frames.scm" "analysis/results.scm" "analysis/checks.scm" "analysis/deformation.scm" "analysis/heat.scm"))
