@@ -29,7 +29,7 @@
 ; a month warmer than the house needs no heat; a heavier house uses more of its gains; gains that equal the losses
 (say (sixth (list-ref (house 4e7) 7)) (every (lambda (heavy light) (<= (sixth heavy) (+ (sixth light) 1e-9))) (house 1e9) (house 1e6))
      (same? (fifth (first (heat-balance #:surfaces '((100 1)) #:outside (make-list 12 10) #:internal 1000))) 1/2))
-; expect: (0 #t #t)
+; expect: (0.0 #t #t)
 (fails (heat-balance #:surfaces '((1 1)) #:outside '(1 2))) ; expect: heat-balance: outside must be a list of 12 numbers, got (1 2)
 (fails (heat-balance #:surfaces '((1)) #:outside cold))     ; expect: heat-balance: a surface must be (list area u-value) or (list area u-value factor), got (1)
 (fails (heat-balance #:windows '((1 2 3)) #:outside cold))  ; expect: heat-balance: a window must be (list area g irradiations), got (1 2 3)
