@@ -5,11 +5,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "bind/build.h"
+#include "bind/analysis/number_vectors.h"
 #include "bind/call/call.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
-#include "bind/call/take.h"
 #include "bind/measures.h"
 #include "bind/print.h"
 #include "vm/machine/fail.h"
@@ -17,31 +16,9 @@
 
 enum { MEMBER_NUMBERS = 11 }; /* from, to, area, bend_y, bend_z, twist, modulus, shear, roll, two hinges */
 
-/* Returns the `count` numbers of a vector as an array of the call. Fails if the argument is not such a vector. */
-static double *numbers(vs_args *f, int argument, size_t count) {
-  vs_value v = f->arg[argument].value;
-  double *at = vs_bind_scratch(f, (count + 1) * sizeof *at);
-  if (!at) return NULL;
-  bool ok = vs_is_vector(v) && vs_as_vector(v)->length == count;
-  for (size_t i = 0; ok && i < count; i++)
-    ok = vs_bind_take_number(f->vm, vs_as_vector(v)->at[i], &at[i]) && isfinite(at[i]);
-  if (ok) return at;
-  vs_fail(f->vm, f->vm->sym.type, "argument %d must be a vector of %zu finite numbers", argument + 1, count);
-  return NULL;
-}
-
-static size_t vector_length(vs_value v) { return vs_is_vector(v) ? vs_as_vector(v)->length : 0; }
-
-/* Sets *out to a vector of these numbers. */
-static bool give_numbers(vs_args *f, const double *at, size_t count, vs_value *out) {
-  if (!vs_make_vector(f->vm, count, vs_fix(0), out)) return false;
-  for (size_t i = 0; i < count; i++) vs_as_vector(*out)->at[i] = vs_flonum(at[i]); /* flonums are no addresses */
-  return true;
-}
-
 static bool take_members(vs_args *f, size_t nodes, vs_structure *s) {
-  s->member_count = vector_length(f->arg[1].value) / MEMBER_NUMBERS;
-  const double *n = numbers(f, 1, s->member_count * MEMBER_NUMBERS);
+  s->member_count = vs_bind_vector_length(f->arg[1].value) / MEMBER_NUMBERS;
+  const double *n = vs_bind_numbers(f, 1, s->member_count * MEMBER_NUMBERS);
   vs_structure_member *m = vs_bind_scratch(f, (s->member_count + 1) * sizeof *m);
   if (!n || !m) return false;
   for (size_t i = 0; i < s->member_count; i++, n += MEMBER_NUMBERS) {
@@ -63,12 +40,14 @@ static bool take_structure(vs_args *f, vs_structure *s) {
   s->cases = (size_t)f->arg[5].integer;
   size_t ways = s->count * VS_WAYS;
   if (!take_members(f, s->count, s)) return false;
-  const double *held = numbers(f, 2, ways);
+  const double *held = vs_bind_numbers(f, 2, ways);
   bool *holds = vs_bind_scratch(f, ways + 1);
   if (!held || !holds) return false;
   for (size_t i = 0; i < ways; i++) holds[i] = held[i] > 0;
   s->held = holds;
-  return (s->loads = numbers(f, 3, ways * s->cases)) && (s->lines = numbers(f, 4, s->member_count * 3 * s->cases));
+  s->loads = vs_bind_numbers(f, 3, ways * s->cases);
+  s->lines = s->loads ? vs_bind_numbers(f, 4, s->member_count * 3 * s->cases) : NULL;
+  return s->lines;
 }
 
 /* Sets the condition for a mechanism; then returns false. */
@@ -113,9 +92,9 @@ vs_status vs_p_frame_solve(vs_args *f, vs_value *out) {
   bool ok = true;
   for (size_t n = s.count; ok && n-- > 0;)
     if (state.loose[n]) ok = vs_cons(f->vm, vs_fix((int64_t)n + 1), r[0], &r[0]);
-  ok = ok && vs_cons(f->vm, r[0], VS_NIL, &r[1]) && give_numbers(f, state.reactions, ways, &r[0]) &&
-       vs_cons(f->vm, r[0], r[1], &r[1]) && give_numbers(f, state.ends, ends, &r[0]) &&
-       vs_cons(f->vm, r[0], r[1], &r[1]) && give_numbers(f, state.moved, ways, &r[0]) &&
+  ok = ok && vs_cons(f->vm, r[0], VS_NIL, &r[1]) && vs_bind_give_numbers(f, state.reactions, ways, &r[0]) &&
+       vs_cons(f->vm, r[0], r[1], &r[1]) && vs_bind_give_numbers(f, state.ends, ends, &r[0]) &&
+       vs_cons(f->vm, r[0], r[1], &r[1]) && vs_bind_give_numbers(f, state.moved, ways, &r[0]) &&
        vs_cons(f->vm, r[0], r[1], out);
   return ok ? VS_OK : VS_ERROR;
 }

@@ -10,6 +10,7 @@
 
 #include "geometry/measure/node_measures.h"
 #include "geometry/files/polyface.h"
+#include "geometry/nets/plan_ways.h"
 #include "geometry/plane/skeleton.h"
 #include "geometry/structure/structure.h"
 #include "geometry/tessellate.h"
@@ -191,8 +192,36 @@ static void solving_a_structure_fails_in_turn(void **state) {
   }
 }
 
+static void ways_and_views_fail_in_turn(void **state) {
+  (void)state;
+  if (!REPLACED) SKIP_TEST("a sanitizer has replaced the allocator");
+  const vs_vec2 at[] = { { 0, 0 }, { 9, 0 }, { 9, 6 }, { 0, 6 }, { 4, 1 }, { 4, 5 }, { 6, 5 }, { 6, 1 } }, exit = { 9, 3 };
+  const size_t size[] = { 4, 4 }, room[] = { 0, 0 };
+  const vs_plan plan = { at, 8, size, room, 2, 1 };
+  vs_plan_place *places = NULL;
+  size_t count = 0, tries = 1;
+  for (vs_plan_outcome outcome = VS_PLAN_MEMORY; outcome != VS_PLAN_DONE; tries++) {
+    held = 0;
+    fail_at = tries;
+    outcome = vs_plan_ways(&plan, &exit, 1, NULL, 0, (vs_long_work){ 0 }, &places, &count);
+    if (outcome != VS_PLAN_DONE) free(places);
+    fail_at = 0;
+    assert_true(outcome == VS_PLAN_DONE || (outcome == VS_PLAN_MEMORY && held == 0));
+  }
+  assert_true(tries > 2 && count == 5);
+  double far = 0;
+  uint32_t first = 0;
+  vs_vec2 *view = NULL, from = { 1, 3 };
+  for (tries = 1, fail_at = 1; !vs_plan_way(&plan, places, count, from, &far, &first); fail_at = ++tries) {}
+  for (tries = 1, fail_at = 1; !vs_plan_view(&plan, from, &view, &count); fail_at = ++tries) free(view);
+  fail_at = 0;
+  assert_true(fabs(far - (2 * sqrt(13) + 2)) < 1e-12 && count > 4);
+  free(view), free(places);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = { cmocka_unit_test(every_allocation_fails_in_turn), cmocka_unit_test(making_a_polyface_fails_in_turn),
-                                      cmocka_unit_test(making_a_skeleton_fails_in_turn), cmocka_unit_test(solving_a_structure_fails_in_turn) };
+                                      cmocka_unit_test(making_a_skeleton_fails_in_turn), cmocka_unit_test(solving_a_structure_fails_in_turn),
+                                      cmocka_unit_test(ways_and_views_fail_in_turn) };
   return cmocka_run_group_tests_name("geometry short of memory", tests, NULL, NULL);
 }
