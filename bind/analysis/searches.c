@@ -1,0 +1,72 @@
+/* Implements the natives of optimise, which library/visualscheme/analysis/ calls. A search asks for values; the
+ * library's program computes and answers them. */
+#include "geometry/search/optimiser.h"
+
+#include <math.h>
+
+#include "bind/analysis/number_vectors.h"
+#include "bind/call/call.h"
+#include "bind/call/refuse.h"
+#include "bind/call/scratch.h"
+#include "bind/call/take.h"
+#include "vm/machine/fail.h"
+#include "vm/values/gc.h"
+
+static void release_search(void *s) { vs_search_free(s); }
+static const vs_foreign_type search_type = { .name = "a search", .release = release_search };
+
+/* (%search-new method start low high limits): limits are the numbers of constraints and of evaluations, and the
+ * tolerance. method is an index of vs_search_method. A bound beyond 1e300 is none. */
+vs_status vs_p_search_new(vs_args *f, vs_value *out) {
+  size_t n = vs_bind_vector_length(f->arg[1].value);
+  double *start = vs_bind_numbers(f, 1, n), *low = start ? vs_bind_numbers(f, 2, n) : NULL,
+         *high = low ? vs_bind_numbers(f, 3, n) : NULL, *limits = high ? vs_bind_numbers(f, 4, 3) : NULL;
+  if (!limits) return VS_ERROR;
+  bool ok = n > 0 && n < 10000 && f->arg[0].integer <= VS_SEARCH_ISRES && limits[0] >= 0 && limits[1] >= 1 &&
+            limits[1] <= 1e9 && limits[2] > 0;
+  for (size_t i = 0; ok && i < n; i++) {
+    if (low[i] < -1e300) low[i] = -INFINITY;
+    if (high[i] > 1e300) high[i] = INFINITY;
+    ok = low[i] <= start[i] && start[i] <= high[i];
+  }
+  if (!ok) return vs_fail(f->vm, f->vm->sym.range, "the numbers of a search do not fit");
+  vs_error e = { 0 };
+  vs_search *s = vs_search_new(&(vs_search_problem){ (vs_search_method)f->arg[0].integer, n, start, low, high,
+                                                     (size_t)limits[0], (size_t)limits[1], limits[2] }, &e);
+  return s ? (vs_make_foreign(f->vm, &search_type, s, 0, out) ? VS_OK : VS_ERROR) : vs_bind_error(f->vm, &e);
+}
+
+/* Returns the search of argument 0. If it is none, sets the error and returns NULL. */
+static vs_search *search_of(vs_args *f) {
+  vs_search *s = vs_foreign_get(f->arg[0].value, &search_type);
+  if (!s) vs_fail(f->vm, f->vm->sym.type, "a search is expected");
+  return s;
+}
+
+/* (%search-next search n): returns a list of three values. For a question: the index of the function, whether slopes
+ * are asked, and the vector of the n unknowns. At the end: the number of the state below 0, the value, and the best
+ * unknowns. */
+vs_status vs_p_search_next(vs_args *f, vs_value *out) {
+  vs_search *s = search_of(f);
+  if (!s) return VS_ERROR;
+  vs_search_question q;
+  vs_search_state state = vs_search_next(s, &q);
+  VS_ROOTS(f->vm, r, 2);
+  bool asks = state == VS_SEARCH_ASKS;
+  bool ok = vs_bind_give_numbers(f, q.x, (size_t)f->arg[1].integer, &r[0]) && vs_cons(f->vm, r[0], VS_NIL, &r[1]) &&
+            vs_cons(f->vm, asks ? (q.slopes ? VS_TRUE : VS_FALSE) : vs_flonum(q.value), r[1], &r[1]) &&
+            vs_cons(f->vm, vs_fix(asks ? (int64_t)q.which : -(int64_t)state), r[1], out);
+  return ok ? VS_OK : VS_ERROR;
+}
+
+/* (%search-answer search value slopes): value is a number; slopes is a vector, empty if none are asked. */
+vs_status vs_p_search_answer(vs_args *f, vs_value *out) {
+  vs_search *s = search_of(f);
+  size_t count = vs_bind_vector_length(f->arg[2].value);
+  const double *slopes = s ? vs_bind_numbers(f, 2, count) : NULL;
+  if (!slopes) return VS_ERROR;
+  if (!vs_search_answer(s, f->arg[1].real, slopes, count))
+    return vs_fail(f->vm, f->vm->sym.range, "the search has not asked for that");
+  *out = VS_UNSPECIFIC;
+  return VS_OK;
+}
