@@ -1,5 +1,5 @@
 /* Implements the natives of frames, which library/visualscheme/analysis/ calls: structures are vectors of numbers. */
-#include "geometry/structure/structure.h"
+#include "geometry/structure/structure_modes.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -34,10 +34,9 @@ static bool take_members(vs_args *f, size_t nodes, vs_structure *s) {
   return true;
 }
 
-/* (%frame-solve points members held loads lines cases): takes the arguments that a structure needs. */
-static bool take_structure(vs_args *f, vs_structure *s) {
+/* Takes the points, the members and the held ways, which are the first three arguments. */
+static bool take_net(vs_args *f, vs_structure *s) {
   *s = (vs_structure){ .at = f->arg[0].points.at, .count = f->arg[0].points.count };
-  s->cases = (size_t)f->arg[5].integer;
   size_t ways = s->count * VS_WAYS;
   if (!take_members(f, s->count, s)) return false;
   const double *held = vs_bind_numbers(f, 2, ways);
@@ -45,6 +44,14 @@ static bool take_structure(vs_args *f, vs_structure *s) {
   if (!held || !holds) return false;
   for (size_t i = 0; i < ways; i++) holds[i] = held[i] > 0;
   s->held = holds;
+  return true;
+}
+
+/* (%frame-solve points members held loads lines cases): takes the arguments that a structure needs. */
+static bool take_structure(vs_args *f, vs_structure *s) {
+  if (!take_net(f, s)) return false;
+  size_t ways = s->count * VS_WAYS;
+  s->cases = (size_t)f->arg[5].integer;
   s->loads = vs_bind_numbers(f, 3, ways * s->cases);
   s->lines = s->loads ? vs_bind_numbers(f, 4, s->member_count * 3 * s->cases) : NULL;
   return s->lines;
@@ -96,5 +103,38 @@ vs_status vs_p_frame_solve(vs_args *f, vs_value *out) {
        vs_cons(f->vm, r[0], r[1], &r[1]) && vs_bind_give_numbers(f, state.ends, ends, &r[0]) &&
        vs_cons(f->vm, r[0], r[1], &r[1]) && vs_bind_give_numbers(f, state.moved, ways, &r[0]) &&
        vs_cons(f->vm, r[0], r[1], out);
+  return ok ? VS_OK : VS_ERROR;
+}
+
+/* (%buckling-modes points members held axial masses parts want), and %vibration-modes with the same arguments: masses
+ * is empty for the former, axial for the latter. Returns a list of a vector of factors or frequencies, and a vector of
+ * shapes. */
+vs_status vs_p_frame_modes(vs_args *f, vs_value *out) {
+  vs_structure s;
+  vs_structure_report report = { 0 };
+  vs_error e = { 0 };
+  if (!take_net(f, &s)) return VS_ERROR;
+  vs_modes_problem p = { .s = &s, .parts = (size_t)f->arg[5].integer, .want = (size_t)f->arg[6].integer };
+  if (p.parts > 64 || p.want > 1000) return vs_fail(f->vm, f->vm->sym.range, "more modes or segments than allowed");
+  if (vs_bind_vector_length(f->arg[3].value)) {
+    if (!(p.axial = vs_bind_numbers(f, 3, 2 * s.member_count))) return VS_ERROR;
+  } else {
+    if (!(p.mass = vs_bind_numbers(f, 4, s.member_count + s.count))) return VS_ERROR;
+    p.node_mass = p.mass + s.member_count;
+  }
+  size_t each = s.member_count * (p.parts + 1) * 3, found = 0;
+  double *values = vs_bind_scratch(f, p.want * sizeof *values);
+  double *shapes = vs_bind_scratch(f, (p.want * each + 1) * sizeof *shapes);
+  if (!values || !shapes) return VS_ERROR;
+  vs_long_work work = { vs_bind_keep_going, f->vm };
+  switch (vs_structure_modes(&p, work, values, shapes, &found, &report, &e)) {
+  case VS_STRUCTURE_MOVES: return mechanism(f, &report), VS_ERROR;
+  case VS_STRUCTURE_STOPPED: return VS_ERROR; /* the condition is already set */
+  case VS_STRUCTURE_FAILED: return vs_bind_error(f->vm, &e);
+  case VS_STRUCTURE_DONE: break;
+  }
+  VS_ROOTS(f->vm, r, 2);
+  bool ok = vs_bind_give_numbers(f, shapes, found * each, &r[0]) && vs_cons(f->vm, r[0], VS_NIL, &r[1]) &&
+            vs_bind_give_numbers(f, values, found, &r[0]) && vs_cons(f->vm, r[0], r[1], out);
   return ok ? VS_OK : VS_ERROR;
 }

@@ -23,15 +23,21 @@ double vs_member_axes(vs_vec3 from, vs_vec3 to, double roll, vs_vec3 axes[3]) {
 
 /* ---- stiffness ---- */
 
-/* Adds the stiffness of bending in the plane of the ways `across` and `turn`; sign is that of the slope's turn. */
-static void add_bending(double ei, double l, int across, int turn, double sign, vs_member_matrix k) {
+/* Adds `by` times the matrix of a quantity of bending, whose entries are for ways across and turns times the length. */
+static void add_shape(double by, double l, const double shape[4][4], int across, int turn, double sign,
+                      vs_member_matrix a) {
   const int at[4] = { across, turn, across + VS_WAYS, turn + VS_WAYS };
-  const double shape[4][4] = { { 12, 6, -12, 6 }, { 6, 4, -6, 2 }, { -12, -6, 12, -6 }, { 6, 2, -6, 4 } };
   for (int i = 0; i < 4; i++)
     for (int j = 0; j < 4; j++) {
       int turns = i % 2 + j % 2;
-      k[at[i]][at[j]] += ei / (l * l * l) * shape[i][j] * (turns == 0 ? 1 : turns == 1 ? sign * l : l * l);
+      a[at[i]][at[j]] += by * shape[i][j] * (turns == 0 ? 1 : turns == 1 ? sign * l : l * l);
     }
+}
+
+/* Adds the stiffness of bending in the plane of the ways `across` and `turn`; sign is that of the slope's turn. */
+static void add_bending(double ei, double l, int across, int turn, double sign, vs_member_matrix k) {
+  const double shape[4][4] = { { 12, 6, -12, 6 }, { 6, 4, -6, 2 }, { -12, -6, 12, -6 }, { 6, 2, -6, 4 } };
+  add_shape(ei / (l * l * l), l, shape, across, turn, sign, k);
 }
 
 static void add_pair(double v, int a, vs_member_matrix k) {
@@ -39,8 +45,14 @@ static void add_pair(double v, int a, vs_member_matrix k) {
   k[a][a] += v, k[b][b] += v, k[a][b] -= v, k[b][a] -= v;
 }
 
-/* Frees way r of the ends: the member then gives it no force. */
-static void release(int r, vs_member_matrix k, double f[VS_MEMBER_WAYS]) {
+/* Frees way r of the ends: the member then gives it no force. If t is not NULL, multiplies t by the matrix that maps
+ * the other ways to all, with way r where it then is. */
+static void release(int r, vs_member_matrix k, double f[VS_MEMBER_WAYS], vs_member_matrix t) {
+  for (int i = 0; t && i < VS_MEMBER_WAYS; i++) {
+    double turned = t[i][r];
+    for (int j = 0; j < VS_MEMBER_WAYS; j++)
+      t[i][j] = j == r ? 0 : t[i][j] - (k[r][r] > 0 ? turned * k[r][j] / k[r][r] : 0);
+  }
   double pivot = k[r][r];
   for (int i = 0; pivot > 0 && i < VS_MEMBER_WAYS; i++) {
     if (i == r) continue;
@@ -52,9 +64,10 @@ static void release(int r, vs_member_matrix k, double f[VS_MEMBER_WAYS]) {
   f[r] = 0;
 }
 
-void vs_member_stiffness(const vs_structure_member *m, double l, vs_vec3 line, vs_member_matrix k,
-                         double f[VS_MEMBER_WAYS]) {
-  bool bends = m->bend_y > 0 && m->bend_z > 0;
+static bool bends_at_all(const vs_structure_member *m) { return m->bend_y > 0 && m->bend_z > 0; }
+
+static void stiffness(const vs_structure_member *m, double l, vs_vec3 line, vs_member_matrix k,
+                      double f[VS_MEMBER_WAYS], vs_member_matrix t) {
   VS_ASSERT(l > 0 && m->area > 0);
   memset(k, 0, sizeof(vs_member_matrix));
   memset(f, 0, VS_MEMBER_WAYS * sizeof *f);
@@ -62,14 +75,73 @@ void vs_member_stiffness(const vs_structure_member *m, double l, vs_vec3 line, v
   const double q[3] = { line.x, line.y, line.z };
   for (int end = 0; end < 2; end++)
     for (int i = 0; i < 3; i++) f[end * VS_WAYS + i] = q[i] * l / 2;
-  if (!bends) return;
+  if (!bends_at_all(m)) return;
   add_bending(m->modulus * m->bend_z, l, 1, 5, 1, k);
   add_bending(m->modulus * m->bend_y, l, 2, 4, -1, k);
   f[4] = -q[2] * l * l / 12, f[5] = q[1] * l * l / 12;
   f[10] = -f[4], f[11] = -f[5];
   if (!m->hinged[0] || !m->hinged[1]) add_pair(m->shear * m->twist / l, 3, k);
   for (int end = 0; end < 2; end++)
-    for (int i = 4; m->hinged[end] && i < VS_WAYS; i++) release(end * VS_WAYS + i, k, f);
+    for (int i = 4; m->hinged[end] && i < VS_WAYS; i++) release(end * VS_WAYS + i, k, f, t);
+}
+
+void vs_member_stiffness(const vs_structure_member *m, double l, vs_vec3 line, vs_member_matrix k,
+                         double f[VS_MEMBER_WAYS]) {
+  stiffness(m, l, line, k, f, NULL);
+}
+
+/* ---- axial forces and masses ---- */
+
+/* Replaces a by t' a t, where t maps the ways without hinges to those with them. */
+static void consider_hinges(const vs_structure_member *m, double l, vs_member_matrix a) {
+  vs_member_matrix k, t, half;
+  double f[VS_MEMBER_WAYS];
+  if (!bends_at_all(m) || (!m->hinged[0] && !m->hinged[1])) return;
+  for (int i = 0; i < VS_MEMBER_WAYS; i++)
+    for (int j = 0; j < VS_MEMBER_WAYS; j++) t[i][j] = i == j;
+  stiffness(m, l, vs_v3(0, 0, 0), k, f, t);
+  for (int i = 0; i < VS_MEMBER_WAYS; i++)
+    for (int j = 0; j < VS_MEMBER_WAYS; j++) {
+      half[i][j] = 0;
+      for (int n = 0; n < VS_MEMBER_WAYS; n++) half[i][j] += a[i][n] * t[n][j];
+    }
+  for (int i = 0; i < VS_MEMBER_WAYS; i++)
+    for (int j = 0; j < VS_MEMBER_WAYS; j++) {
+      a[i][j] = 0;
+      for (int n = 0; n < VS_MEMBER_WAYS; n++) a[i][j] += t[n][i] * half[n][j];
+    }
+}
+
+void vs_member_geometric(const vs_structure_member *m, double l, double force, vs_member_matrix a) {
+  const double bent[4][4] = { { 36, 3, -36, 3 }, { 3, 4, -3, -1 }, { -36, -3, 36, -3 }, { 3, -1, -3, 4 } };
+  memset(a, 0, sizeof(vs_member_matrix));
+  if (bends_at_all(m)) {
+    add_shape(force / (30 * l), l, bent, 1, 5, 1, a);
+    add_shape(force / (30 * l), l, bent, 2, 4, -1, a);
+    consider_hinges(m, l, a);
+  } else {
+    add_pair(force / l, 1, a), add_pair(force / l, 2, a);
+  }
+}
+
+/* Adds the matrix of a quantity that varies linearly between the ends. */
+static void add_linear(double whole, int a, vs_member_matrix k) {
+  int b = a + VS_WAYS;
+  k[a][a] += whole / 3, k[b][b] += whole / 3, k[a][b] += whole / 6, k[b][a] += whole / 6;
+}
+
+void vs_member_mass(const vs_structure_member *m, double l, double mass, vs_member_matrix a) {
+  const double bent[4][4] = { { 156, 22, 54, -13 }, { 22, 4, 13, -3 }, { 54, 13, 156, -22 }, { -13, -3, -22, 4 } };
+  memset(a, 0, sizeof(vs_member_matrix));
+  add_linear(mass, 0, a);
+  if (bends_at_all(m)) {
+    add_shape(mass / 420, l, bent, 1, 5, 1, a);
+    add_shape(mass / 420, l, bent, 2, 4, -1, a);
+    add_linear(mass * (m->bend_y + m->bend_z) / m->area, 3, a);
+    consider_hinges(m, l, a);
+  } else {
+    add_linear(mass, 1, a), add_linear(mass, 2, a);
+  }
 }
 
 /* ---- axes ---- */

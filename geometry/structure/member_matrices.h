@@ -15,6 +15,11 @@ double vs_member_axes(vs_vec3 from, vs_vec3 to, double roll, vs_vec3 axes[3]);
 void vs_member_stiffness(const vs_structure_member *m, double length, vs_vec3 line, vs_member_matrix k,
                          double f[VS_MEMBER_WAYS]);
 
+/* Sets a to the stiffness that an axial force adds, in N and positive for tension. */
+void vs_member_geometric(const vs_structure_member *m, double length, double force, vs_member_matrix a);
+/* Sets a to the matrix of the member's mass, in kg. */
+void vs_member_mass(const vs_structure_member *m, double length, double mass, vs_member_matrix a);
+
 /* Turn the twelve numbers of both ends from own axes to global ones, and back. */
 void vs_member_to_global(const vs_vec3 axes[3], const double own[VS_MEMBER_WAYS], double out[VS_MEMBER_WAYS]);
 void vs_member_to_own(const vs_vec3 axes[3], const double global[VS_MEMBER_WAYS], double out[VS_MEMBER_WAYS]);

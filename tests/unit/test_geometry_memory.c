@@ -12,7 +12,7 @@
 #include "geometry/files/polyface.h"
 #include "geometry/nets/plan_ways.h"
 #include "geometry/plane/skeleton.h"
-#include "geometry/structure/structure.h"
+#include "geometry/structure/structure_modes.h"
 #include "geometry/tessellate.h"
 #include "tests/unit/allocator.h"
 #include "tests/unit/skip.h"
@@ -189,6 +189,19 @@ static void solving_a_structure_fails_in_turn(void **state) {
     assert_true(tries > 6);
     if (mechanism) assert_int_equal(report.where, 3);
     else assert_true(reactions[0] < 0 && moved[VS_WAYS] > 0);
+    const double axial[6] = { -1000, -1000, 0, 0, -1000, -1000 };
+    double values[2], shapes[2 * 3 * 5 * 3];
+    size_t found = 0;
+    vs_modes_problem modes = { &s, axial, NULL, NULL, 4, 2 };
+    for (tries = 1, outcome = VS_STRUCTURE_FAILED; outcome != wanted; tries++) {
+      held = 0;
+      fail_at = tries;
+      outcome = vs_structure_modes(&modes, (vs_long_work){ 0 }, values, shapes, &found, &report, &e);
+      fail_at = 0;
+      assert_true(outcome == wanted || (outcome == VS_STRUCTURE_FAILED && e.kind == VS_ERROR_MEMORY));
+      assert_int_equal(held, 0);
+    }
+    assert_true(tries > 10 && (mechanism || (found == 2 && values[0] > 0 && values[1] >= values[0])));
   }
 }
 

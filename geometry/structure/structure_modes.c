@@ -1,0 +1,170 @@
+/* Implements the modes of structures (structure_modes.h). Members that bend are cut into segments: between two nodes,
+ * cubics are too stiff for modes. */
+#include "geometry/structure/structure_modes.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "geometry/structure/eigenpairs.h"
+#include "geometry/structure/structure_system.h"
+#include "model/store/array.h"
+
+#define NO_VALUE 1e-18 /* smaller eigenvalues are rounding; they belong to factors beyond 1e18 and to Gigahertz */
+
+/* The structure whose members are segments. */
+typedef struct {
+  const vs_modes_problem *p;
+  vs_structure s;
+  vs_vec3 *at;
+  vs_structure_member *members;
+  bool *held, *loose;
+  double *loads, *force, *mass; /* force and mass: of each segment */
+  vs_structure_spin *spins;
+  size_t spin_count;
+} cut;
+
+static void free_cut(cut *c) {
+  free(c->at), free(c->members), free(c->held), free(c->loose), free(c->loads), free(c->force), free(c->mass);
+  free(c->spins);
+}
+
+static size_t parts_of(const cut *c, const vs_structure_member *m) { return m->bend_y > 0 ? c->p->parts : 1; }
+
+/* Cuts member i; its inner nodes and its segments come next. A member with two hinges carries no torsion: its outer
+ * segments have none, and something else holds the spin of the others. */
+static void cut_member(cut *c, size_t i) {
+  const vs_structure_member *m = &c->p->s->members[i];
+  size_t parts = parts_of(c, m);
+  vs_vec3 from = c->at[m->from], along = vs_v3_sub(c->at[m->to], from);
+  bool ball = m->hinged[0] && m->hinged[1];
+  for (size_t k = 0; k < parts; k++) {
+    vs_structure_member piece = *m;
+    double t = ((double)k + 0.5) / (double)parts;
+    if (k > 0) piece.from = (uint32_t)c->s.count - 1;
+    if (k + 1 < parts) {
+      piece.to = (uint32_t)c->s.count;
+      c->at[c->s.count++] = vs_v3_add(from, vs_v3_scale(along, ((double)k + 1) / (double)parts));
+    }
+    piece.hinged[0] = m->hinged[0] && k == 0;
+    piece.hinged[1] = m->hinged[1] && k + 1 == parts;
+    if (ball && (k == 0 || k + 1 == parts)) piece.twist = 0;
+    if (c->p->axial) c->force[c->s.member_count] = c->p->axial[2 * i] * (1 - t) + c->p->axial[2 * i + 1] * t;
+    else c->mass[c->s.member_count] = c->p->mass[i] / (double)parts;
+    c->members[c->s.member_count++] = piece;
+  }
+  if (ball && parts > 1)
+    c->spins[c->spin_count++] = (vs_structure_spin){ c->s.count - 1, vs_v3_scale(along, 1 / vs_v3_length(along)),
+                                                     m->shear * m->twist / vs_v3_length(along) };
+}
+
+static bool make_cut(cut *c, vs_error *e) {
+  const vs_structure *s = c->p->s;
+  size_t nodes = s->count + s->member_count * (c->p->parts - 1), segments = s->member_count * c->p->parts;
+  c->held = vs_zeros(nodes * VS_WAYS, sizeof *c->held);
+  c->loads = vs_zeros(nodes * VS_WAYS, sizeof *c->loads);
+  if (!c->held || !c->loads || !VS_FRESH(c->at, nodes) || !VS_FRESH(c->loose, nodes) ||
+      !VS_FRESH(c->members, segments) || !VS_FRESH(c->force, segments) || !VS_FRESH(c->mass, segments) ||
+      !VS_FRESH(c->spins, s->member_count))
+    return vs_error_memory(e, NULL);
+  memcpy(c->at, s->at, s->count * sizeof *c->at);
+  memcpy(c->held, s->held, s->count * VS_WAYS * sizeof *c->held);
+  c->s.count = s->count;
+  for (size_t i = 0; i < s->member_count; i++) cut_member(c, i);
+  c->s = (vs_structure){ .at = c->at, .count = c->s.count, .members = c->members, .member_count = c->s.member_count,
+                         .held = c->held, .cases = 1, .loads = c->loads };
+  return true;
+}
+
+/* Sets *out to the matrix of the axial forces, with the other sign, or of the masses. */
+static bool other_matrix(const cut *c, const vs_structure_system *w, vs_sparse **out, vs_error *e) {
+  enum { MEMBER = VS_MEMBER_WAYS * (VS_MEMBER_WAYS + 1) / 2 };
+  *out = vs_sparse_new(w->rows, c->s.member_count * MEMBER + c->s.count * 3, "modes of frames", e);
+  if (!*out) return false;
+  for (size_t i = 0; i < c->s.member_count; i++) {
+    const vs_structure_member *m = &c->members[i];
+    vs_member_matrix a;
+    vs_vec3 axes[3];
+    double length = vs_member_axes(c->at[m->from], c->at[m->to], m->roll, axes);
+    if (c->p->axial) vs_member_geometric(m, length, -c->force[i], a);
+    else vs_member_mass(m, length, c->mass[i], a);
+    vs_member_matrix_to_global(axes, a);
+    for (int x = 0; x < VS_MEMBER_WAYS; x++)
+      for (int y = x; y < VS_MEMBER_WAYS; y++) {
+        uint32_t p = w->row[vs_structure_way(m, x)], q = w->row[vs_structure_way(m, y)];
+        if (p != VS_HELD && q != VS_HELD) vs_sparse_add(*out, p, q, a[x][y]);
+      }
+  }
+  for (size_t n = 0; !c->p->axial && n < c->p->s->count; n++)
+    for (size_t i = 0; i < 3; i++)
+      if (w->row[n * VS_WAYS + i] != VS_HELD) {
+        uint32_t row = w->row[n * VS_WAYS + i];
+        vs_sparse_add(*out, row, row, c->p->node_mass[n]);
+      }
+  return vs_sparse_close(*out, false, e);
+}
+
+/* Sets the shape of a mode from its vector. */
+static void set_shape(const cut *c, const vs_structure_system *w, const double *vector, double *shape) {
+  size_t stride = (c->p->parts + 1) * 3, segment = 0;
+  double most = 0;
+  for (size_t i = 0; i < c->p->s->member_count; i++) {
+    size_t parts = parts_of(c, &c->p->s->members[i]);
+    for (size_t k = 0; k <= c->p->parts; k++) {
+      /* a bar that does not bend stays straight */
+      double t = parts > 1 ? 0 : (double)k / (double)c->p->parts, d[2][3];
+      const vs_structure_member *m = &c->members[segment + (parts > 1 && k == parts ? k - 1 : parts > 1 ? k : 0)];
+      size_t ends[2] = { parts > 1 && k == parts ? m->to : m->from, m->to };
+      for (size_t end = 0; end < 2; end++)
+        for (size_t x = 0; x < 3; x++) {
+          uint32_t row = w->row[ends[end] * VS_WAYS + x];
+          d[end][x] = row == VS_HELD ? 0 : vector[row];
+        }
+      double *out = &shape[i * stride + k * 3], size = 0;
+      for (size_t x = 0; x < 3; x++) out[x] = (1 - t) * d[0][x] + t * d[1][x], size += out[x] * out[x];
+      most = fmax(most, sqrt(size));
+    }
+    segment += parts;
+  }
+  for (size_t i = 0; most > 0 && i < c->p->s->member_count * stride; i++) shape[i] /= most;
+}
+
+static vs_structure_outcome find_modes(const cut *c, const vs_structure_system *w, vs_long_work work, double *values,
+                                       double *shapes, size_t *found, vs_error *e) {
+  vs_sparse *other = NULL;
+  double *vectors = NULL;
+  size_t each = c->p->s->member_count * (c->p->parts + 1) * 3, pairs = 0;
+  vs_eigen_outcome outcome = VS_EIGEN_FAILED;
+  if (other_matrix(c, w, &other, e)) {
+    if (VS_FRESH(vectors, c->p->want * w->rows))
+      outcome = vs_eigenpairs(w->equations, other, w->rows, c->p->want, work, values, vectors, &pairs, e);
+    else
+      vs_error_memory(e, NULL);
+  }
+  for (size_t i = 0; outcome == VS_EIGEN_DONE && i < pairs && values[i] > NO_VALUE; i++) {
+    values[i] = c->p->axial ? 1 / values[i] : 1 / sqrt(values[i]) / (2 * acos(-1));
+    set_shape(c, w, vectors + i * w->rows, &shapes[i * each]);
+    *found = i + 1;
+  }
+  vs_sparse_free(other);
+  free(vectors);
+  if (outcome == VS_EIGEN_SLOW)
+    vs_error_set(e, VS_ERROR_MODEL, NULL, "the modes were not found: too many are nearly equal");
+  return outcome == VS_EIGEN_DONE ? VS_STRUCTURE_DONE
+                                  : outcome == VS_EIGEN_STOPPED ? VS_STRUCTURE_STOPPED : VS_STRUCTURE_FAILED;
+}
+
+vs_structure_outcome vs_structure_modes(const vs_modes_problem *p, vs_long_work work, double *values, double *shapes,
+                                        size_t *found, vs_structure_report *report, vs_error *e) {
+  cut c = { .p = p };
+  vs_structure_outcome outcome = VS_STRUCTURE_FAILED;
+  VS_ASSERT(p->parts > 0 && p->want > 0);
+  *found = 0;
+  if (make_cut(&c, e)) {
+    vs_structure_system w = { .s = &c.s, .loose = c.loose, .spins = c.spins, .spin_count = c.spin_count };
+    outcome = vs_structure_system_make(&w, c.loads, report, e);
+    if (outcome == VS_STRUCTURE_DONE && w.rows) outcome = find_modes(&c, &w, work, values, shapes, found, e);
+    vs_structure_system_free(&w);
+  }
+  free_cut(&c);
+  return outcome;
+}
