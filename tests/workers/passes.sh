@@ -11,6 +11,7 @@ smaller() {
   city) echo "-D blocks=2 -D tallest=6" ;;
   cylinder-grid) echo "-D count=9" ;;
   deformed-tower) echo "-D storeys=6" ;;
+  diagrid-roof) echo "-D across=3 -D along=4" ;;
   gare-do-oriente) echo "-D columns=1 -D rows=1" ;;
   gyroid-pavilion) echo "-D fineness=40" ;;
   hanging-shell) echo "-D n=8" ;;
