@@ -17,6 +17,7 @@ gare-do-oriente 1000000 -D columns=1 -D rows=1
 city 100000 -D blocks=2 -D tallest=6
 voronoi-facade 400000
 facade-from-table 400000
+diagrid-roof 400000 -D across=3 -D along=4
 trees-from-survey 400000'
 
 
