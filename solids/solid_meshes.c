@@ -81,6 +81,8 @@ typedef struct {
   int depth;                          /* number of levels below a reference at which nodes count as objects
                                        * (vs_solid_of_objects); NO_OBJECTS: none do */
   uint32_t object;                    /* number of the object that the walk is in; 0: none */
+  bool own;                           /* true: a face belongs to its primitive (vs_solid_of_leaves); the part's object
+                                       * is the number of the primitive's mesh */
 } builder;
 
 static bool full(builder *b) {
@@ -324,12 +326,12 @@ static bool twins_grow(builder *b) {
 
 static bool add_leaf(builder *b, const vs_ref *ref, const level *at) {
   vs_fineness facets = vs_fineness_placed(b->facets, &at->placement);
-  vs_kernel_leaf leaf = { NULL, at->placement, 0, at->material == NULL };
+  vs_kernel_leaf leaf = { NULL, at->placement, 0, at->material == NULL && !b->own };
   vs_mesh *mesh = NULL;
   if (b->leaves.count >= UINT32_MAX - 1) return full(b);
   uint32_t number = 0;
   if (!mesh_of(b, ref, at, &facets, &mesh, &number) ||
-      !part_of(b, &(vs_solid_part){ at->material, at->layer, *ref, b->object }, &leaf.tag))
+      !part_of(b, &(vs_solid_part){ at->material, at->layer, *ref, b->own ? number : b->object }, &leaf.tag))
     return false;
   leaf.mesh = mesh;
   if ((b->leaves.count + 1) * 2 > b->twins.count && !twins_grow(b)) return false;
@@ -491,7 +493,7 @@ static void tally_up(vs_tally *t, const vs_kernel_counts *c) {
 }
 
 /* The destination of the result: `one` or `many`; the other pointer is NULL. depth: see the structure builder. */
-typedef struct { vs_solid *one; vs_solid_copies *many; int depth; /* depth: level at which nodes are objects, see the
+typedef struct { vs_solid *one; vs_solid_copies *many; int depth; bool own; /* depth: level at which nodes are objects, see the
                                                                    * structure builder */ } target;
 
 /* Adds the references to the builder as a single problem for the kernel, a union. */
@@ -594,7 +596,7 @@ static bool evaluate(const vs_ref *refs, size_t count, const vs_fineness *facets
   b->k.error = &why;
   b->k.threads = 1;
   b->facets = facets;
-  b->depth = to.depth;
+  b->depth = to.depth, b->own = to.own;
   b->error = error;
   vs_kernel_time(&b->k, counts.seconds);
   bool ok = build(b, refs, count);
@@ -628,6 +630,14 @@ bool vs_solid_of_objects(const vs_refs *refs, int depth, const vs_fineness *face
                          vs_solid *out, vs_error *error) {
   *out = (vs_solid){ .part_count = 0 };
   if (evaluate(refs->at, refs->count, facets, options, (target){ .one = out, .depth = depth }, error)) return true;
+  vs_solid_free(out);
+  return false;
+}
+
+bool vs_solid_of_leaves(vs_ref ref, const vs_fineness *facets, const vs_kernel_options *options, vs_solid *out,
+                        vs_error *error) {
+  *out = (vs_solid){ .part_count = 0 };
+  if (evaluate(&ref, 1, facets, options, (target){ .one = out, .depth = NO_OBJECTS, .own = true }, error)) return true;
   vs_solid_free(out);
   return false;
 }

@@ -47,6 +47,10 @@ bool vs_solid_evaluate(const vs_ref *refs, size_t count, const vs_fineness *face
  * reference's own node. */
 bool vs_solid_of_objects(const vs_refs *refs, int depth, const vs_fineness *facets, const vs_kernel_options *options,
                          vs_solid *out, vs_error *error);
+/* As vs_solid_evaluate, for a single object, but each face belongs to the primitive that made it: the wall of a hole to
+ * the cutter. Primitives with different meshes have different parts. */
+bool vs_solid_of_leaves(vs_ref ref, const vs_fineness *facets, const vs_kernel_options *options, vs_solid *out,
+                        vs_error *error);
 void vs_solid_free(vs_solid *s);
 bool vs_solid_evaluate_copies(const vs_ref *refs, size_t count, const vs_fineness *facets,
                               const vs_kernel_options *options, vs_solid_copies *out, vs_error *error);

@@ -1,0 +1,141 @@
+/* Implements the native that finds a solid's faces and edges for edges.scm. */
+#include <stdlib.h>
+
+#include "bind/build.h"
+#include "bind/call/call.h"
+#include "bind/call/refuse.h"
+#include "bind/call/take.h"
+#include "bind/measures.h"
+#include "bind/objects.h"
+#include "bind/queries.h"
+#include "geometry/measure/face_edges.h"
+#include "geometry/measure/node_measures.h"
+#include "geometry/shapes/simple_nodes.h"
+#include "model/store/array.h"
+#include "solids/solid_meshes.h"
+
+/* A solid with its faces. */
+typedef struct {
+  vs_solid solid;
+  vs_mesh_edges edges;
+  vs_mesh_faces faces;
+} faced;
+
+static void faced_free(faced *s) {
+  vs_mesh_faces_free(&s->faces);
+  vs_mesh_edges_free(&s->edges);
+  vs_solid_free(&s->solid);
+}
+
+/* Returns true if the triangles of the primitive approximate a curved surface: not those of a hull of points, or of an
+ * extruded polygon. */
+static bool is_round(const vs_node *n) {
+  if (!n || !vs_node_has(n, VS_IS_ROUND)) return false;
+  if (n->kind == VS_HULL) return n->child_count > 0;
+  if (n->kind != VS_EXTRUDE || n->child_count != 1 || VS_AS(extrude, n)->twist != 0) return true;
+  const vs_node *profile = n->children[0].node;
+  return profile->kind != VS_LINE && !vs_node_is_outline(profile);
+}
+
+static vs_status find(vs_args *f, faced *s) {
+  vs_error e = { 0 };
+  vs_bounds b;
+  vs_fineness facets = { .tolerance = vs_bind_tolerance(f->vm), .segments = vs_bind_segments(f->vm) };
+  vs_kernel_options options = { .job = vs_bind_job(f->vm) };
+  if (!vs_node_bounds(f->arg[0].ref.node, &b, &e)) return vs_bind_error(f->vm, &e);
+  if (!(facets.tolerance > 0)) facets.tolerance = fmax(vs_fineness_tolerance(&b) / 4, 1e-300);
+  if (!vs_solid_of_leaves(f->arg[0].ref, &facets, &options, &s->solid, &e))
+    return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f->vm, &e);
+  const vs_mesh *m = &s->solid.mesh;
+  bool *round = NULL, ok = VS_FRESH(round, m->triangle_count + 1) && vs_mesh_edges_make(&s->edges, m);
+  for (size_t t = 0; ok && t < m->triangle_count; t++) {
+    round[t] = is_round(s->solid.parts[m->tags[t]].leaf.node);
+  }
+  ok = ok && vs_mesh_faces_find(&s->edges, m->tags, round, &s->faces);
+  free(round);
+  return ok ? VS_OK : vs_fail_memory(f->vm);
+}
+
+/* Sets *out to a surface of the face's triangles. */
+static vs_status surface_of(vs_args *f, const faced *s, uint32_t face, vs_value *out) {
+  vs_mesh m = { 0 };
+  uint32_t *name = NULL;
+  const vs_mesh *all = &s->solid.mesh;
+  bool ok = VS_FRESH(name, all->vertex_count + 1);
+  for (size_t v = 0; ok && v < all->vertex_count; v++) name[v] = UINT32_MAX;
+  for (uint32_t t = 0; ok && t < all->triangle_count; t++) {
+    uint32_t c[3];
+    if (s->faces.of[t] != face) continue;
+    for (int k = 0; ok && k < 3; k++) {
+      uint32_t v = vs_mesh_edges_corner(&s->edges, t, k);
+      if (name[v] == UINT32_MAX) ok = vs_mesh_add_vertex(&m, all->vertices[v], &name[v]);
+      c[k] = name[v];
+    }
+    ok = ok && vs_mesh_add_triangle(&m, c[0], c[1], c[2]);
+  }
+  free(name);
+  vs_node *n = ok ? vs_node_of_mesh(f->store, &m, false) : NULL;
+  vs_mesh_free(&m);
+  return n ? vs_bind_give_node(f, n, out) : vs_fail_memory(f->vm);
+}
+
+/* Sets *out to the list of n values. */
+static bool list_of(vs_args *f, const vs_value *items, size_t n, vs_value *out) {
+  VS_ROOTS(f->vm, r, 1);
+  r[0] = VS_NIL;
+  for (size_t i = n; i-- > 0;)
+    if (!vs_cons(f->vm, items[i], r[0], &r[0])) return false;
+  *out = r[0];
+  return true;
+}
+
+/* A face: (form area normal point radius surface object); the object is the primitive that made the face. */
+static bool give_face(vs_args *f, const faced *s, uint32_t face, vs_value *out) {
+  const vs_mesh_face *g = &s->faces.faces[face];
+  VS_ROOTS(f->vm, r, 7);
+  vs_ref leaf = s->solid.parts[s->solid.mesh.tags[g->first]].leaf;
+  r[0] = vs_fix((int64_t)g->form), r[1] = vs_flonum(g->area), r[4] = vs_flonum(g->radius), r[6] = VS_FALSE;
+  return vs_bind_give_vector(f, g->normal, &r[2]) && vs_bind_give_point(f, g->at, &r[3]) &&
+         surface_of(f, s, face, &r[5]) && (!leaf.node || vs_bind_give_ref(f->bind, leaf, &r[6])) &&
+         list_of(f, r, 7, out);
+}
+
+/* An edge: (face face closed? angle point ...). */
+static bool give_edge(vs_args *f, const faced *s, size_t i, vs_value *out) {
+  const vs_face_edge *g = &s->faces.edges[i];
+  VS_ROOTS(f->vm, r, 5);
+  r[4] = VS_NIL;
+  for (size_t k = g->count; k-- > 0;)
+    if (!vs_bind_give_point(f, s->faces.at[g->first + k], &r[0]) || !vs_cons(f->vm, r[0], r[4], &r[4])) return false;
+  r[0] = vs_fix((int64_t)g->face[0]), r[1] = vs_fix((int64_t)g->face[1]);
+  r[2] = g->closed ? VS_TRUE : VS_FALSE, r[3] = vs_flonum(g->angle);
+  for (int k = 4; k-- > 0;)
+    if (!vs_cons(f->vm, r[k], r[4], &r[4])) return false;
+  *out = r[4];
+  return true;
+}
+
+/* (%solid-faces o): returns a pair: the list of the solid's faces, and the list of its edges. */
+vs_status vs_p_solid_faces(vs_args *f, vs_value *out) {
+  faced s = { 0 };
+  VS_ROOTS(f->vm, r, 3);
+  r[0] = r[1] = VS_NIL;
+  if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
+  bool ok = f->arg[0].ref.node->kind == VS_EMPTY || find(f, &s);
+  for (uint32_t i = (uint32_t)s.faces.face_count; ok && i-- > 0;)
+    ok = give_face(f, &s, i, &r[2]) && vs_cons(f->vm, r[2], r[0], &r[0]);
+  for (size_t i = s.faces.edge_count; ok && i-- > 0;)
+    ok = give_edge(f, &s, i, &r[2]) && vs_cons(f->vm, r[2], r[1], &r[1]) && vs_poll(f->vm, 8);
+  faced_free(&s);
+  return ok && vs_cons(f->vm, r[0], r[1], out) ? VS_OK : VS_ERROR;
+}
+
+/* (%edges-along axis): returns the unit gvector along the axis. */
+vs_status vs_p_edges_along(vs_args *f, vs_value *out) {
+  return vs_bind_give_vector(f, vs_v3_unit(f->arg[0].line.direction), out);
+}
+
+/* (%faces-towards v): returns the unit gvector in the direction v. */
+vs_status vs_p_faces_towards(vs_args *f, vs_value *out) {
+  return vs_bind_give_vector(f, vs_v3_unit(f->arg[0].point), out);
+}

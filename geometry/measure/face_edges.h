@@ -1,0 +1,42 @@
+/* Declares the faces of a solid's mesh, and the edges between them, as a modeller sees them: the wall of a cylinder is
+ * one face, and its rim one edge. */
+#ifndef VS_GEOMETRY_MEASURE_FACE_EDGES_H
+#define VS_GEOMETRY_MEASURE_FACE_EDGES_H
+
+#include "geometry/nets/mesh_edges.h"
+
+typedef enum { VS_FACE_PLANE, VS_FACE_CYLINDER, VS_FACE_OTHER } vs_face_form;
+
+typedef struct {
+  vs_face_form form;
+  double area;
+  vs_vec3 normal;    /* plane: unit normal; cylinder: unit direction of the axis; others: the mean normal */
+  vs_vec3 at;        /* plane: the centroid; cylinder: the point of the axis nearest to the centroid */
+  double radius;     /* radius of a cylinder; negative if the material lies outside of it */
+  uint32_t first;    /* a triangle of the face */
+} vs_mesh_face;
+
+/* An edge: a chain of mesh edges between two faces. */
+typedef struct {
+  uint32_t face[2];
+  size_t first, count; /* the edge's points: at[first] to at[first + count - 1]; a closed edge repeats no point */
+  bool closed;
+  double angle;        /* the angle within the material: less than pi if the edge is convex */
+} vs_face_edge;
+
+typedef struct {
+  uint32_t *of; /* of[t]: number of the face that contains triangle t */
+  vs_mesh_face *faces;
+  vs_face_edge *edges;
+  vs_vec3 *at;
+  size_t face_count, face_room, edge_count, edge_room, count, room;
+} vs_mesh_faces;
+
+/* Finds the faces and edges of a closed mesh. leaf[t] is the number of the primitive from which triangle t came.
+ * round[t] is true if the triangles of that primitive approximate a curved surface. Triangles of one round primitive
+ * that fold by at most 30 degrees are in one face; so are coplanar triangles. Returns false when memory is out. The
+ * caller frees out in either case. */
+bool vs_mesh_faces_find(const vs_mesh_edges *s, const uint32_t *leaf, const bool *round, vs_mesh_faces *out);
+void vs_mesh_faces_free(vs_mesh_faces *f);
+
+#endif
