@@ -22,7 +22,7 @@ enum {
   COPIES_MOST = 64,       /* corners of a solid up to which a sum is the hull of copies of the other, which keep their
                            * kind */
   POINTS_MOST = 4000000,  /* points of one hull */
-  PAIRS_MOST = 100000,    /* points of all hulls of a union */
+  PAIRS_MOST = 4000000,   /* points of all hulls of a union */
   SUMS_MOST = 1000000000  /* pairs of corners of two convex solids that are compared */
 };
 
@@ -176,10 +176,11 @@ static vs_status add_inner(sum *s, vs_ref whole, const summand *at) {
   return ok;
 }
 
-static vs_status sum_of_any(sum *s, const summand *a, const summand *b) {
+/* Adds the sums of all pairs of boundary polygons. */
+static vs_status sum_of_boundaries(sum *s, const summand *a, const summand *b) {
   size_t points = a->faces.count * b->faces.count;
   if (points > PAIRS_MOST) return too_fine(s->f, points);
-  vs_status ok = add_inner(s, a->ref, b) && add_inner(s, b->ref, a) ? VS_OK : VS_ERROR;
+  vs_status ok = VS_OK;
   for (size_t i = 0; ok && i < a->faces.polygons; i++)
     for (size_t k = 0; ok && k < b->faces.polygons; k++) {
       const vs_vec3 *p = a->faces.at + a->faces.starts[i], *q = b->faces.at + b->faces.starts[k];
@@ -187,6 +188,33 @@ static vs_status sum_of_any(sum *s, const summand *a, const summand *b) {
       ok = b->convex ? add_pair(s, p, n, b) : a->convex ? add_pair(s, q, m, a) : add_sum_of_points(s, p, n, q, m);
       if (ok && !vs_poll(s->f->vm, 64)) ok = VS_ERROR;
     }
+  return ok;
+}
+
+static vs_status sum_of_any(sum *s, const summand *a, const summand *b) {
+  vs_status ok = sum_of_boundaries(s, a, b);
+  return ok && add_inner(s, a->ref, b) && add_inner(s, b->ref, a) ? VS_OK : VS_ERROR;
+}
+
+/* Sets *out to the union of the nodes. */
+static vs_status give_sum(sum *s, vs_value *out) {
+  const vs_ref *refs = s->refs.at;
+  vs_node *n = s->refs.count == 1
+                   ? vs_node_retain(refs[0].node)
+                   : vs_node_new(s->f->store, VS_UNION, &(struct vs_union){ 0 }, refs, s->refs.count);
+  return vs_bind_give_node(s->f, n, out);
+}
+
+/* (%do-offset-solid o ball): returns all points of the boundary of o, each replaced by a copy of the convex solid. */
+vs_status vs_p_solid_skin(vs_args *f, vs_value *out) {
+  summand a = { 0 }, b = { 0 };
+  sum s = { .f = f, .refs = { .size = sizeof(vs_ref) } };
+  if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
+  vs_status ok = begin(f, 0, &a) && begin(f, 1, &b) ? VS_OK : VS_ERROR;
+  vs_convex_faces_free(&a.faces);
+  if (ok && !vs_mesh_convex_faces(&a.edges, &a.faces)) ok = vs_fail_memory(f->vm);
+  ok = ok && sum_of_boundaries(&s, &a, &b) && give_sum(&s, out);
+  summand_free(&a), summand_free(&b);
   return ok;
 }
 
@@ -202,10 +230,7 @@ vs_status vs_p_minkowski(vs_args *f, vs_value *out) {
   if (ok && (!a.mesh.triangle_count || !b.mesh.triangle_count)) ok = vs_bind_empty(f, "a summand is empty", out);
   else if (ok) {
     ok = a.convex && b.convex ? sum_of_convex(&s, &a, &b) : sum_of_any(&s, &a, &b);
-    const vs_ref *refs = s.refs.at;
-    if (ok && s.refs.count == 1) ok = vs_bind_give_node(f, vs_node_retain(refs[0].node), out);
-    else if (ok)
-      ok = vs_bind_give_node(f, vs_node_new(f->store, VS_UNION, &(struct vs_union){ 0 }, refs, s.refs.count), out);
+    ok = ok && give_sum(&s, out);
   }
   summand_free(&a), summand_free(&b);
   return ok;

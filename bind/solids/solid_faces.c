@@ -4,11 +4,15 @@
 #include "bind/build.h"
 #include "bind/call/call.h"
 #include "bind/call/refuse.h"
+#include "bind/call/scratch.h"
 #include "bind/call/take.h"
 #include "bind/measures.h"
 #include "bind/objects.h"
+#include "bind/print.h"
 #include "bind/queries.h"
+#include "bind/shapes/taken_apart.h"
 #include "geometry/measure/face_edges.h"
+#include "geometry/measure/moved_faces.h"
 #include "geometry/measure/node_measures.h"
 #include "geometry/shapes/simple_nodes.h"
 #include "model/store/array.h"
@@ -138,4 +142,61 @@ vs_status vs_p_edges_along(vs_args *f, vs_value *out) {
 /* (%faces-towards v): returns the unit gvector in the direction v. */
 vs_status vs_p_faces_towards(vs_args *f, vs_value *out) {
   return vs_bind_give_vector(f, vs_v3_unit(f->arg[0].point), out);
+}
+
+/* ---- faces moved ---- */
+
+/* Returns the coordinates of a point or gvector. */
+static vs_vec3 place_of(vs_value v) {
+  const double *d = vs_as_flat(v)->at;
+  return vs_v3(d[0], d[1], d[2]);
+}
+
+/* Sets the moves from a list of a number, or a list of point and normal, for each face. */
+static vs_status take_moves(vs_args *f, const faced *s, vs_face_move **out) {
+  size_t n = s->faces.face_count, i = 0;
+  vs_face_move *m = vs_bind_scratch(f, (n + 1) * sizeof *m);
+  if (!m) return VS_ERROR;
+  for (vs_value l = f->arg[1].value; i < n && vs_is_pair(l); l = vs_cdr(l), i++) {
+    vs_value v = vs_car(l);
+    m[i] = (vs_face_move){ .tilted = vs_is_pair(v) };
+    if (m[i].tilted) {
+      m[i].at = place_of(vs_car(v));
+      m[i].normal = vs_v3_unit(place_of(vs_car(vs_cdr(v))));
+    } else if (!vs_bind_take_number(f->vm, v, &m[i].distance)) break;
+  }
+  *out = m;
+  return i == n ? VS_OK : vs_bind_refuse(f, "moves", "a list of one move for each face", f->arg[1].value);
+}
+
+/* (%move-faces o moves): returns the solid with its faces moved. Where that fails, returns a list of the place, and
+ * #t if a face would be turned over there, or #f if faces do not meet there. */
+vs_status vs_p_move_faces(vs_args *f, vs_value *out) {
+  faced s = { 0 };
+  vs_face_move *moves = NULL;
+  vs_mesh m = { 0 };
+  vs_vec3 at = { 0, 0, 0 };
+  VS_ROOTS(f->vm, r, 2);
+  if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
+  bool ok = find(f, &s) && take_moves(f, &s, &moves) && (vs_mesh_copy(&s.solid.mesh, &m) || vs_fail_memory(f->vm));
+  vs_moved_outcome outcome = ok ? vs_faces_move(&s.edges, &s.faces, moves, &m, &at) : VS_MOVED_MEMORY;
+  if (ok && outcome == VS_MOVED_MEMORY) ok = vs_fail_memory(f->vm);
+  if (ok && outcome == VS_MOVED) {
+    m.settled = false;
+    ok = vs_bend_solid(f->vm, &m) && vs_bind_give_node(f, vs_node_of_mesh(f->store, &m, true), out);
+  } else if (ok) {
+    r[0] = outcome == VS_MOVED_TURNED ? VS_TRUE : VS_FALSE;
+    ok = vs_bind_give_point(f, at, &r[1]) && vs_cons(f->vm, r[0], VS_NIL, &r[0]) && vs_cons(f->vm, r[1], r[0], out);
+  }
+  vs_mesh_free(&m);
+  faced_free(&s);
+  return ok ? VS_OK : VS_ERROR;
+}
+
+/* (%do-draft plane): returns a list of a point of the plane and its unit normal. */
+vs_status vs_p_do_draft(vs_args *f, vs_value *out) {
+  VS_ROOTS(f->vm, r, 2);
+  bool ok = vs_bind_give_point(f, f->arg[0].line.at, &r[0]) &&
+            vs_bind_give_vector(f, vs_v3_unit(f->arg[0].line.direction), &r[1]) && list_of(f, r, 2, out);
+  return ok ? VS_OK : VS_ERROR;
 }

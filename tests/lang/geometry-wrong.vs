@@ -35,7 +35,7 @@
 (fails (make-material #:roughness 2))        ; expect: make-material: roughness must be from 0 to 1, got (2)
 (fails (camera origin origin))               ; expect: camera: target must be another point than eye, got ((xyz 0 0 0))
 (fails (view-from 'inside))                  ; expect: view-from: side must be one of 'top 'bottom 'front 'back 'left 'right 'iso, got (inside)
-(fails (do-shell 1))              ; expect: do-shell: this procedure does not exist yet; instead: make-crust ()
+(fails (do-imprint 1))            ; expect: do-imprint: this procedure does not exist yet; instead: split the solid, and unite the pieces ()
 (for-each (lambda (i) (sin i) (do-rotate s 'z (- i))) (iota 100)) ; counts: no degrees
 (do ((i 1 (+ i 1))) ((> i 90)) (cos i) (volume (do-rotate s 'x i)))
 (for-each (lambda (i) (tan (* 30 i))) (iota 5)) ; expect warning: tan: 30 radians are 4.8 turns; (degrees->radians 30)?
