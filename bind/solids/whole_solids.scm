@@ -189,3 +189,67 @@
               (let ((above (do-extrude (do-move region (v*r n depth)) (v*r n (- long)))))
                 (unite o (intersect moved above)))
               (subtract o (subtract below moved)))))))
+
+; ---- text along curves and on surfaces ----
+
+; Returns a list of letters, each a list of its region about its own middle and the distance of the middle from the start.
+(define (%letters string size)
+  (let loop ((i 0) (out '()))
+    (if (= i (string-length string))
+        (reverse out)
+        (let* ((c (substring string i (+ i 1))) (from (text-width size (substring string 0 i))) (w (text-width size c)))
+          (loop (+ i 1) (if (string=? c " ") out (cons (list (make-text (xy (/ w -2) 0) size c) (+ from (/ w 2))) out)))))))
+
+; Each letter stands on the curve, turned with it: in the curve's plane, on the left of its direction.
+(define (%text-on-curve c string size)
+  (let* ((letters (%letters string size)) (long (curve-length c)) (needs (text-width size string)))
+    (if (> needs long) (error 'text-on "the text is ~a long, and the curve ~a" (%number-text needs) (%number-text long)))
+    (let* ((from (/ (- long needs) 2)) (z (%curve-up c)))
+      (unite
+        (map (lambda (l)
+               (let* ((s (+ from (second l))) (p (curve-point c s)) (x (curve-tangent c s)) (y (unitize (cross z x))) (n (cross x y)))
+                 (do-transform (first l)
+                   (make-matrix (cx x) (cx y) (cx n) (cx p) (cy x) (cy y) (cy n) (cy p) (cz x) (cz y) (cz n) (cz p) 0 0 0 1))))
+             letters)))))
+
+; Returns the normal of the curve's plane, +Z if the curve is straight.
+(define (%curve-up c)
+  (let* ((p (curve-division c 12)) (n (fold (lambda (a b sum) (v+v sum (cross (p->q (first p) a) (p->q (first p) b)))) (vxyz 0 0 0) (drop-right p 1) (cdr p)))
+         (size (distance (first (bounding-box c)) (second (bounding-box c)))))
+    (cond
+      ((< (vlength n) (* 1e-6 size size)) (if (%parallel? uz (curve-tangent c 0)) (vxyz 0 -1 0) uz))
+      ((< (+ (cz n) (* 1e-6 (vlength n)) 0) 0) (v*r (unitize n) -1))
+      (else (unitize n)))))
+
+; Letters bent onto a surface of rows of points: along its rows' direction, in the middle.
+(define (%text-on-surface o string size)
+  (if (not (memq (object-kind o) '(surface mesh)))
+      (error 'text-on "the surface must be a make-surface or make-mesh, whose rows give the direction; got a ~a" (object-kind o)))
+  (let* ((a (object-arguments o)) (points (list->vector (first a))) (columns (second a)) (rows (quotient (vector-length points) columns)))
+    (define (clip x n) (max 0 (min (- n 1.) x)))
+    (define (at u v) ; of row and column, between the points linearly
+      (let* ((u (clip u rows)) (v (clip v columns)) (i (min (- rows 2) (exact (floor u)))) (k (min (- columns 2) (exact (floor v)))) (f (- u i)) (g (- v k))
+             (p (lambda (i k) (vector-ref points (+ (* i columns) k)))))
+        (intermediate-point (intermediate-point (p i k) (p (+ i 1) k) f) (intermediate-point (p i (+ k 1)) (p (+ i 1) (+ k 1)) f) g)))
+    (define (lengths n place) ; the distances along a line of n points
+      (let loop ((i 1) (sum 0) (out '(0)))
+        (if (= i n) (list->vector (reverse out)) (let ((s (+ sum (distance (place (- i 1)) (place i))))) (loop (+ i 1) s (cons s out))))))
+    (define (index table s) ; the place in a table of rising lengths
+      (let loop ((i 1))
+        (if (or (= i (- (vector-length table) 1)) (>= (vector-ref table i) s))
+            (let ((a (vector-ref table (- i 1))) (b (vector-ref table i))) (+ (- i 1) (if (> b a) (/ (- s a) (- b a)) 0)))
+            (loop (+ i 1)))))
+    (let* ((half (/ (- columns 1) 2)) (along (lengths rows (lambda (i) (at i half)))) (across (lengths columns (lambda (k) (at (/ (- rows 1) 2) k))))
+           (long (vector-ref along (- rows 1))) (high (vector-ref across (- columns 1))) (needs (text-width size string)))
+      (if (or (> needs long) (> size high))
+          (error 'text-on "the text is ~a long and ~a high, and the surface ~a and ~a" (%number-text needs) size (%number-text long) (%number-text high)))
+      (do-deform (make-text (xy (/ (- long needs) 2) (/ (- high size) 2)) size string)
+        (lambda (p) (at (index along (cx p)) (index across (cy p))))))))
+
+(define (text-on o string size)
+  (if (not (string? string)) (error 'text-on "string must be a string, got ~s" string))
+  (%need-above-0 'text-on 'size size)
+  (cond
+    ((and (object? o) (curve? o)) (%text-on-curve o string size))
+    ((and (object? o) (surface? o)) (%text-on-surface o string size))
+    (else (error 'text-on "o must be a curve or a surface, got ~s" o))))
