@@ -2,7 +2,7 @@
 # Checks written meshes for self-intersections (tests/tools/crossings.c), in .off and in .stl with its 32-bit
 # numbers: the kernel's workloads (bench/kernel). LONG=1: all but the largest of them. It also runs random trees of
 # boxes through the language (tests/oracle/fuzz.c): (volume o) and the volume of the .off file, which must be closed,
-# equal the count of cells.
+# equal the count of cells. Joined walls of random plans have no gaps and overlaps (tests/oracle/wall_graphs.vs).
 . tests/report.sh
 case $ONLY in ""|solids*) ;; *) exit ;; esac
 here=bench/kernel
@@ -51,6 +51,10 @@ END
     limited 60 "$BUILD/tools/crossings" -q "$work/radial.stl" >> "$work/why" 2>&1
   done
   if [ ! -s "$work/why" ]; then echo "ok solids/radial"; else echo "not ok solids/radial"; sed 's/^/    /' "$work/why"; fi ;;
+esac
+case solids/walls in *"$ONLY"*) # random plans of joined walls; LONG=1: 1,000
+  limited 3000 "$vs" --quiet tests/oracle/wall_graphs.vs -D cases="$([ -z "${LONG:-}" ] && echo 12 || echo 1000)" > "$work/why" 2>&1 || echo "ended with $?" >> "$work/why"
+  if [ ! -s "$work/why" ]; then echo "ok solids/walls"; else echo "not ok solids/walls"; head -n 24 "$work/why" | sed 's/^/    /'; fi ;;
 esac
 if ! command -v node > /dev/null; then echo "skip solids: no node (package nodejs)"; exit; fi
 case solids/repaired in *"$ONLY"*) # damaged meshes, repaired: each is written without an intersection, or with a warning that it has some
