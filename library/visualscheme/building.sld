@@ -1,8 +1,10 @@
-; The words of a building: roofs, walls and their openings, slabs, columns, beams, stairs, ramps, railings. All lengths are in model units, all angles in radians.
+; The words of a building: roofs, walls and their openings, slabs, columns, beams, stairs, ramps, railings, rooms. All lengths are in model units, all angles in radians.
 (define-library (visualscheme building)
   (export roof roof-faces
           wall wall? wall-layers wall-path wall-thickness wall-height wall-base wall-name wall-openings join-walls opening window door
-          slab column beam stair ramp railing)
+          slab column beam stair ramp railing
+          rooms room? room-name room-area room-perimeter room-height room-volume room-region room-solid room-doors room-graph gross-area
+          label-rooms)
   (import (visualscheme))
   (include "building/roofs.scm" "building/paths.scm" "building/joints.scm" "building/walls.scm" "building/openings.scm"
-           "building/storeys.scm"))
+           "building/storeys.scm" "building/rooms.scm"))
