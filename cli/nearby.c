@@ -45,7 +45,8 @@ void cli_nearby_offer(cli_nearby *n, const char *name) {
 
 static bool is_program(const char *name) {
   const char *dot = strrchr(name, '.');
-  return dot && dot > name && (!strcmp(dot, ".vs") || !strcmp(dot, ".js") || !strcmp(dot, ".gml"));
+  return dot && dot > name &&
+         (!strcmp(dot, ".vs") || !strcmp(dot, ".js") || !strcmp(dot, ".lsp") || !strcmp(dot, ".gml"));
 }
 
 bool cli_nearby_program(const char *path, char *room, size_t size) {

@@ -74,7 +74,7 @@ static void print_licenses(void) {
 static void print_help(void) {
   puts("vs: solid models from Scheme programs\n");
   puts("  vs                  a prompt");
-  puts("  vs FILE             run FILE, in Scheme, JavaScript (.js) or GML (.gml); - is standard input");
+  puts("  vs FILE             run FILE: Scheme, JavaScript (.js), GML (.gml), AutoLISP (.lsp); - is standard input");
   puts("  vs FILE -o OUT ...  run FILE and write its model");
   puts("  vs FILE -- ARG ...  run FILE, whose (command-line) ends in these arguments");
   for (size_t i = 0; i < COMMANDS; i++)

@@ -58,7 +58,7 @@ sum() { # NAME ARGUMENT...: runs the program once for all formats, and once for 
 
 whole() { [ -n "${WHOLE:-}" ] || smaller "$1"; }
 # shellcheck disable=SC2046
-for example in examples/*.vs examples/*/*.vs examples/*/*.gml examples/*/*.js; do sum "$example" "$example" $(whole "$example"); done
+for example in examples/*.vs examples/*/*.vs examples/*/*.gml examples/*/*.lsp examples/*/*.js; do sum "$example" "$example" $(whole "$example"); done
 
 sheet=tests/cross/sheet.vs
 for variant in $(sed -n 's/^(define-parameter variant .*(\(.*\)))$/\1/p' $sheet | tr -d '"'); do

@@ -8,7 +8,7 @@ case determinism in *"${ONLY:-}"*) ;; *) exit 0 ;; esac
 . tests/report.sh
 . tests/smaller.sh
 threads=${THREADS:-1 2 8} heavy=${HEAVY:-0.5}
-examples=${EXAMPLES:-$(ls examples/*.vs examples/*/*.vs examples/*/*.gml examples/*/*.js)}
+examples=${EXAMPLES:-$(ls examples/*.vs examples/*/*.vs examples/*/*.gml examples/*/*.lsp examples/*/*.js)}
 formats=$(sed -n 's/^VS_FORMAT(\([^,]*\), [^,]*, "[^"]*", NULL.*/\1/p' backends/backends.def)
 [ "$(echo $formats | wc -w)" -ge 15 ] || echo "not ok determinism: the table of formats was not read: $formats"
 

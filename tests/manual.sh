@@ -141,6 +141,14 @@ awk -v work="$work" '
 "$BUILD/vs" --quiet "$work/blocks.gml" -o "$work/out.stl" > "$work/said" 2> "$work/errors"
 if diff "$work/gml-wanted" "$work/said" > "$work/diff" && [ ! -s "$work/errors" ]; then echo "ok manual/gml"
 else echo "not ok manual/gml"; sed 's/^/    /' "$work/diff" "$work/errors"; fi
+# The programs in AutoLISP on its page print what their lines give.
+awk -v work="$work" '
+  /^```lsp$/ { inside = 1; next }
+  /^```$/    { inside = 0 }
+  inside     { n = split($0, part, "; => "); print (n > 1 ? part[1] "(terpri)" : $0) > (work "/blocks.lsp"); if (n > 1) print part[2] > (work "/lsp-wanted") }' manual/autolisp.md
+"$BUILD/vs" --quiet "$work/blocks.lsp" > "$work/said" 2> "$work/errors"
+if diff "$work/lsp-wanted" "$work/said" > "$work/diff" && [ ! -s "$work/errors" ]; then echo "ok manual/autolisp"
+else echo "not ok manual/autolisp"; sed 's/^/    /' "$work/diff" "$work/errors"; fi
 # The page describes every operator.
 "$BUILD/vs" --quiet -e '(import (only (gml) gml:operators)) (for-each displayln (map symbol->string (gml:operators)))' | sort > "$work/names"
 grep -v '^```' manual/gml.md | grep -o '`[^`]*`' | tr -d '\140' | tr ' .' '\n\n' | sort -u > "$work/described"

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "vm/autolisp/autolisp_reader.h"
 #include "vm/front/reader.h"
 #include "vm/gml/gml_reader.h"
 #include "vm/javascript/read_script.h"
@@ -148,6 +149,10 @@ const char *vs_source_said(vs_scheme *vm, const char *name, vs_pos place) {
   bool other = vs_source_name(vm, vs_pos_file(place), &file) && vs_source_language(file.at);
   vs_text_close(&file);
   return other ? name + 1 : name;
+}
+
+const char *vs_source_word(vs_scheme *vm, const char *name) {
+  return vs_source_said(vm, name, vs_pos_make(vm->program_file, 1, 1));
 }
 
 /* ---- files that include each other ---- */

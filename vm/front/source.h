@@ -34,6 +34,8 @@ bool vs_source_include(vs_scheme *vm, vs_value name, uint32_t from, bool fold, v
 const char *vs_source_language(const char *name);
 /* Returns the name of a procedure for messages. In a script in JavaScript, a function's name has no colon. */
 const char *vs_source_said(vs_scheme *vm, const char *name, vs_pos place);
+/* Returns the name for messages without a colon at its start, if the program's main file is in another language. */
+const char *vs_source_word(vs_scheme *vm, const char *name);
 
 /* Reads the forms of a text (reader.h) in the language of a file of this name. */
 bool vs_source_text(vs_scheme *vm, const char *name, const vs_passage *text, bool fold, vs_value *forms);

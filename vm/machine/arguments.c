@@ -1,5 +1,7 @@
 /* Arranges the arguments of calls with optional, keyword or rest parameters, and reports wrong numbers of arguments. */
 #include "vm/machine/arguments.h"
+
+#include "vm/front/source.h"
 #include "vm/machine/signature.h"
 #include "vm/values/text.h"
 #include "vm/front/suggest.h"
@@ -90,7 +92,7 @@ typedef struct {
 } taken;
 
 static bool fail_count(vs_scheme *vm, vs_value name, const taken *t, size_t got) {
-  const char *who = name_of(name), *names = t->names;
+  const char *who = vs_source_word(vm, name_of(name)), *names = t->names;
   size_t min = t->min, max = t->max;
   wanted w = {.used = 0};
   const char *others = max && got > max ? want_keywords(t->keywords, t->count, &w) : "";

@@ -4,15 +4,18 @@
 #define VS_VM_MACHINE_RUN_FAILURES_H
 
 #include "vm/machine/native.h"
+#include "vm/front/source.h"
 #include "vm/front/suggest.h"
 #include "vm/numbers/number.h"
 
 static bool fail_undefined(vs_scheme *vm, vs_value name) {
+  const char *said = vs_is_symbol(name) ? vs_source_word(vm, vs_as_symbol(name)->name) : "a variable";
+  if (vs_is_symbol(name) && said != vs_as_symbol(name)->name)
+    return vs_fail(vm, vm->sym.unbound, "%s is not defined", said);
   vs_text advice;                       /* advice about words of other languages, and similar names */
   vs_text_open(vm, &advice, 300);
   bool ok = vs_suggest(vm, vm->at.program, name, &advice) && vs_text_end(&advice) &&
-            vs_fail(vm, vm->sym.unbound, "%s is not defined%s",
-                    vs_is_symbol(name) ? vs_as_symbol(name)->name : "a variable", advice.at);
+            vs_fail(vm, vm->sym.unbound, "%s is not defined%s", said, advice.at);
   vs_text_close(&advice);
   return ok;
 }
