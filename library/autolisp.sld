@@ -11,6 +11,8 @@
           :princ :prin1 :print :prompt :alert :terpri
           :polar :angle :distance :inters :xyz :xy :xz :yz :pol :cil :cyl :esf :sph :+xyz :+xy :+xz :+yz :+x :+y :+z :+pol :+cil
           :+cyl :+esf :+sph :cx :cy :cz
+          :getpoint :getcorner :getreal :getdist :getint :getangle :getorient :getkword :getstring :initget
+          :logand :logior :~ :graphscr :textscr :redraw :vl-load-com :entmake
           :command :vl-cmdf :entlast :entdel :ssget :ssadd :sslength :ssname :getvar :setvar :cut-cone :box2 :erase-all
           :zoom-extents)
   (import (visualscheme))

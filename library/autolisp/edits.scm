@@ -135,6 +135,32 @@
       (asks "Rectangular or Polar" (lambda (v) #f) (lambda (v) #f)
         (option "Rectangular" (rectangular)) (option "Polar" (polar)) (option "" (rectangular))))))
 
+; ---- entities from lists of pairs (code . value), as DXF has them ----
+
+(define (:entmake data)
+  (define all (need-list 'entmake data))
+  (define (field code)
+    (let ((f (find (lambda (f) (and (pair? f) (eqv? (car f) code))) all)))
+      (if f (cdr f) (error 'entmake "the entity has no group ~a" code))))
+  (define (given code other) (if (find (lambda (f) (and (pair? f) (eqv? (car f) code))) all) (field code) other))
+  (define (point code) (need-point 'entmake (field code)))
+  (define (real code) (need-number 'entmake (field code)))
+  (define vertices
+    (map (lambda (f) (need-point 'entmake (cdr f))) (filter (lambda (f) (and (pair? f) (eqv? (car f) 10))) all)))
+  (define object
+    (case (string->symbol (string-upcase (need-string 'entmake (field 0))))
+      ((LINE) (make-line (point 10) (point 11)))
+      ((CIRCLE) (make-circle (point 10) (real 40)))
+      ((ARC) (let ((a (real 50)) (b (real 51))) (make-arc (point 10) (real 40) a (if (<= b a) (+ b 2pi) b))))
+      ((3DFACE) (make-3dface (point 10) (point 11) (point 12) (need-point 'entmake (given 13 (field 12)))))
+      ((LWPOLYLINE) (path vertices (odd? (need-whole 'entmake (given 70 0)))))
+      (else (error 'entmake "LINE, CIRCLE, ARC, 3DFACE or LWPOLYLINE is needed, got ~a" (shown (field 0))))))
+  (let ((before current-layer))
+    (set! current-layer (need-string 'entmake (given 8 current-layer)))
+    (made! object)
+    (set! current-layer before)
+    all))
+
 ; ---- layers and colours: names, or numbers from 1 to 7 ----
 
 (define color-names '("red" "yellow" "green" "cyan" "blue" "magenta" "white"))

@@ -26,6 +26,13 @@
         (let ((s (/ (dot (cross w v) n) nn)) (t (/ (dot (cross w u) n) nn)))
           (if (or (and (pair? lines) (null? (car lines))) (and (<= 0 s 1) (<= 0 t 1))) (list-of (p+v a (v*r u s))) '())))))
 
+; ---- calls that matter only beside a screen ----
+
+(define (:graphscr) '())
+(define (:textscr) '())
+(define (:redraw . l) '())
+(define (:vl-load-com) '())
+
 ; ---- points in the way of the architects' courses: (xyz x y z), (+x p d), (+pol p rho phi) ... ----
 
 (define-syntax point-words

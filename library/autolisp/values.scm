@@ -72,6 +72,31 @@
 (define (:alert v) (display (need-string 'alert v)) (newline) '())
 (define (:terpri) (newline) '())
 
+; ---- questions to the user: each answer is a line of standard input ----
+
+(define (answer-line who prompt)
+  (let ((line (read-line)))
+    (if (eof-object? line)
+        (error who "the program asks ~a, and standard input has no further line for the answer"
+          (if (pair? prompt) (format "~s" (string-trim (plain (last prompt)))) "for a value"))
+        (string-trim line))))
+; An empty line answers nil.
+(define (asked who expected convert)
+  (lambda prompt
+    (let* ((line (answer-line who prompt)) (v (if (string=? line "") '() (convert line))))
+      (or v (refuse who expected line)))))
+(define :getpoint (asked 'getpoint "a point such as 1,2,0" (lambda (s) (let ((p (as-point s))) (and p (list-of p))))))
+(define :getcorner (asked 'getcorner "a point such as 1,2,0" (lambda (s) (let ((p (as-point s))) (and p (list-of p))))))
+(define (real-answer s) (let ((n (as-number s))) (and n (exact->inexact n))))
+(define :getreal (asked 'getreal "a number" real-answer))
+(define :getdist (asked 'getdist "a distance" real-answer))
+(define :getint (asked 'getint "a whole number" (lambda (s) (let ((n (as-number s))) (and n (exact-integer? n) n)))))
+(define :getangle (asked 'getangle "an angle in degrees" (lambda (s) (let ((n (real-answer s))) (and n (degrees->radians n))))))
+(define :getorient :getangle)
+(define :getkword (asked 'getkword "a word" (lambda (s) s)))
+(define (:getstring . prompt) (answer-line 'getstring prompt))
+(define (:initget . l) '())
+
 ; ---- arguments ----
 
 (define (need-number who v) (if (number? v) v (refuse who "a number" v)))
@@ -98,6 +123,9 @@
 (define :min (folded 'min min 0))
 (define :rem (folded 'rem (lambda (a b) (if (= b 0) (error 'rem "division by zero") (- a (* b (truncate (/ a b)))))) 0))
 (define :gcd (folded 'gcd (lambda (a b) (gcd (need-whole 'gcd a) (need-whole 'gcd b))) 0))
+(define :logand (folded 'logand (lambda (a b) (bitwise-and (need-whole 'logand a) (need-whole 'logand b))) -1))
+(define :logior (folded 'logior (lambda (a b) (bitwise-ior (need-whole 'logior a) (need-whole 'logior b))) 0))
+(define (:~ n) (- -1 (need-whole '~ n)))
 (define (:1+ n) (:+ n 1))
 (define (:1- n) (:- n 1))
 (define (:abs n) (abs (need-number 'abs n)))
