@@ -493,8 +493,12 @@ static void tally_up(vs_tally *t, const vs_kernel_counts *c) {
 }
 
 /* The destination of the result: `one` or `many`; the other pointer is NULL. depth: see the structure builder. */
-typedef struct { vs_solid *one; vs_solid_copies *many; int depth; bool own; /* depth: level at which nodes are objects, see the
-                                                                   * structure builder */ } target;
+typedef struct {
+  vs_solid *one;
+  vs_solid_copies *many;
+  int depth; /* level at which nodes are objects, see the structure builder */
+  bool own;
+} target;
 
 /* Adds the references to the builder as a single problem for the kernel, a union. */
 static bool build(builder *b, const vs_ref *refs, size_t count) {

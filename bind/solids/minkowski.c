@@ -1,8 +1,9 @@
 /* Implements minkowski: the sum of two solids, as a hull or a union of hulls.
  *
  * The sum of two convex solids is the hull of the sums of their corners. The sum of other solids A and B is a union: A
- * moved by one point of B, B moved by one point of A, and the sums of all pairs of boundary polygons. A point x is in the sum if x - B meets A: then the boundaries meet, or one of the two lies in the other. Each polygon is
- * convex, and so is each of the sums. */
+ * moved by one point of B, B moved by one point of A, and the sums of all pairs of boundary polygons. A point x is in
+ * the sum if x - B meets A: then the boundaries meet, or one of the two lies in the other. Each polygon is convex, and
+ * so is each of the sums. */
 #include <stdlib.h>
 
 #include "bind/build.h"

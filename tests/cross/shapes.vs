@@ -369,6 +369,7 @@
   #:area (integral (lambda (u) (integral (lambda (v) (sqrt (+ 1 (/ (+ (* u u) (* v v)) 16)))) -2. 2. 60)) -2. 2. 60))
 (shape "surface/nu and nv" (make-surface (lambda (u v) (cyl 2 u v)) 0 pi -2 2 #:nu 6 #:nv 1) #:area (* 6 4 (ngon-side 2 12)) #:within 1e-6)
 (shape "surface/tube that closes" (make-surface (lambda (u v) (cyl (+ 2 (* 3/4 (cos v))) u (* 3/4 (sin v)))) 0 2pi 0 2pi #:nu 48 #:nv 24) #:volume (* 2 pi pi 2 9/16) #:within 0.02)
+(shape "polyface-mesh/smooth" (do-smooth (make-box origin (xyz 4 5 6)) #:sharp 1) #:volume 120 #:area 148 #:box (box-of 0 0 0 4 5 6))
 (shape "hull/points" (hull (xyz 0 0 0) (xyz 4 0 0) (xyz 0 4 0) (xyz 0 0 4) (xyz 1 1 1)) #:volume 64/6 #:area (+ 24 (* 8 (sqrt 3))) #:box (box-of 0 0 0 4 4 4))
 (shape "hull/boxes" (hull (make-box origin (xyz 1 1 1)) (make-box (xyz 3 0 0) (xyz 4 1 1))) #:volume 4 #:box (box-of 0 0 0 4 1 1))
 (shape "hull/spheres" (hull (make-sphere (xyz -1 0 0) 3/2) (make-sphere (xyz 1 0 0) 3/2)) #:volume (+ (* 9/2 pi) (* 2 9/4 pi)) #:within 0.01)

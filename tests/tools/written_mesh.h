@@ -66,21 +66,21 @@ static inline bool read_stl(const char *path, written_mesh *out) {
 static inline bool read_ply(const char *path, written_mesh *out) {
   FILE *f = fopen(path, "rb");
   char line[200] = "";
-  size_t faces = 0, after = 0;
-  bool ok = f != NULL, face = false;
+  size_t faces = 0, after = 0, colour = 0; /* after, colour: bytes of colour after a face, and after a vertex */
+  bool ok = f != NULL, face = false, corner = false;
   while (ok && strcmp(line, "end_header\n") != 0) {
     ok = fgets(line, sizeof line, f) != NULL;
-    if (sscanf(line, "element vertex %zu", &out->point_count) == 1)
-      face = false;
-    else if (sscanf(line, "element face %zu", &faces) == 1)
-      face = true;
-    else if (strncmp(line, "element ", 8) == 0)
-      face = false;
-    else if (face && strncmp(line, "property uchar ", 15) == 0)
-      after++;
+    if (strncmp(line, "element ", 8) == 0) {
+      corner = sscanf(line, "element vertex %zu", &out->point_count) == 1;
+      face = sscanf(line, "element face %zu", &faces) == 1;
+    } else if (strncmp(line, "property uchar ", 15) == 0) {
+      after += face;
+      colour += corner;
+    }
   }
-  ok = ok && written_room(out, out->point_count, faces) &&
-       fread(out->points, sizeof *out->points, out->point_count, f) == out->point_count;
+  ok = ok && written_room(out, out->point_count, faces);
+  for (size_t i = 0; ok && i < out->point_count; i++)
+    ok = fread(&out->points[i], sizeof *out->points, 1, f) == 1 && fseek(f, (long)colour, SEEK_CUR) == 0;
   for (; ok && out->count < faces; out->count++) {
     uint32_t *t = out->triangles[out->count];
     ok = fgetc(f) == 3 && fread(t, sizeof *t, 3, f) == 3 && fseek(f, (long)after, SEEK_CUR) == 0;
