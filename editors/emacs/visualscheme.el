@@ -92,7 +92,12 @@ What it says can be visited by `next-error'."
        :command (list visualscheme-program "check" (file-name-nondirectory buffer-file-name))
        :sentinel (lambda (process _)
                    (unless (process-live-p process)
-                     (when (buffer-live-p buffer) (funcall report (visualscheme--findings output buffer)))
+                     ;; A language server that has started meanwhile replaces this function, and flymake
+                     ;; refuses reports of functions that it does not know.
+                     (when (and (buffer-live-p buffer)
+                                (memq #'visualscheme-flymake
+                                      (buffer-local-value 'flymake-diagnostic-functions buffer)))
+                       (funcall report (visualscheme--findings output buffer)))
                      (kill-buffer output)))))))
 
 (defun visualscheme-write (output)
