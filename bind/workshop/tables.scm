@@ -107,22 +107,23 @@
 
 ; ---- parts and their numbers ----
 
-; Returns the parts in a list of lists. An object of the list, such as a slice with its number, is one part. A layer or a
-; material in place of a list has its objects as parts.
-(define (%flat-parts parts)
+; Returns the parts in a list of objects, or of lists of objects. An object of the list, such as a slice with its number,
+; is one part. A layer or a material in place of a list has its objects as parts.
+(define (%flat-parts who parts)
+  (define (refuse) (error who "parts must be a list of objects, got ~s" parts))
+  (define (part o) (cond ((not (object? o)) (refuse)) ((empty-object? o) '()) (else (list o))))
   (cond
-    ((list? parts) (append-map (lambda (p) (if (or (list? p) (not (object? p))) (%flat-parts p) (if (empty-object? p) '() (list p)))) parts))
-    ((not (object? parts)) (error 'part-groups "parts must be a list of objects, got ~s" parts))
-    ((empty-object? parts) '())
-    ((memq (object-kind parts) '(layer with-material)) (%schedule-objects parts))
-    (else (list parts))))
+    ((list? parts) (append-map (lambda (p) (if (list? p) (append-map part p) (part p))) parts))
+    ((and (object? parts) (memq (object-kind parts) '(layer with-material))) (%schedule-objects parts))
+    (else (part parts))))
 
 ; Returns a list of lists: the parts that are equal, up to place and turn, in the order of their first parts.
-(define (part-groups parts #:tolerance [tolerance any? 1e-6])
-  (if (not (and (real? tolerance) (< 0 tolerance 1))) (error 'part-groups "#:tolerance must be a number between 0 and 1, got ~s" tolerance))
-  (let ((parts (%flat-parts parts)) (groups (make-hash)))
+(define (%groups-of who parts tolerance)
+  (if (not (and (real? tolerance) (< 0 tolerance 1))) (error who "#:tolerance must be a number between 0 and 1, got ~s" tolerance))
+  (let ((parts (%flat-parts who parts)) (groups (make-hash)))
     (for-each (lambda (part first) (hash-set! groups first (cons part (hash-ref groups first '())))) parts (%part-groups (map %drawn parts) tolerance))
     (map (lambda (group) (reverse (cdr group))) (hash->list groups))))
+(define (part-groups parts #:tolerance [tolerance any? 1e-6]) (%groups-of 'part-groups parts tolerance))
 
 ; Returns the lengths of the smallest box around a part, the largest first.
 (define (part-size o)
@@ -160,7 +161,7 @@
           (let ((cells (map car (cdr (schedule (car group) c #:densities densities)))))
             (if (memq c %schedule-sums) (apply + cells) (car cells))))))
     (cons (map (lambda (c) (cond ((pair? c) (car c)) ((procedure? c) 'value) (else c))) columns)
-          (let loop ((groups (part-groups parts #:tolerance tolerance)) (number 0))
+          (let loop ((groups (%groups-of 'cut-list parts tolerance)) (number 0))
             (if (null? groups)
                 '()
                 (let ((size (part-size (caar groups))))
