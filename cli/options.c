@@ -569,8 +569,8 @@ bool cli_options_late(cli_options *o, const vs_scheme *scheme) {
 }
 
 bool cli_options_is_pattern(const char *path) {
-  const char *slash = strrchr(path, '/');
-  return (slash ? slash[1] : *path) == '%';
+  const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+  return name[0] == '%' && name[1] == '.';
 }
 
 /* Returns true if the output file can probably be written. Otherwise reports it now, before long work begins. */

@@ -183,7 +183,7 @@
              (let ((room (apply min (map (lambda (q) (let ((d (- (distance center q) r))) (if (eq? inward (< d 0)) (abs d) +inf.0))) samples))))
                (and (< room +inf.0) (/ room (+ b c))))))))
       ((%face-round? f)
-       (let* ((d (%face-direction f)) (t (%into e f (first (%edge-points e)))) (room (apply min (map (lambda (q) (let ((h (dot t (p->q (first (%edge-points e)) q)))) (if (> h 1e-9) h +inf.0))) samples))))
+       (let* ((t (%into e f (first (%edge-points e)))) (room (apply min (map (lambda (q) (let ((h (dot t (p->q (first (%edge-points e)) q)))) (if (> h 1e-9) h +inf.0))) samples))))
          (and (%edge-circular? e) (not (equal? e other)) (< room +inf.0) (/ room (+ b c)))))
       (else #f))))
 

@@ -53,6 +53,7 @@ static bool read_ply(const bytes *b, ply *p) {
     else if (sscanf(line, "element face %zu", &p->faces) == 1) in_vertex = false;
     else if (in_vertex && !strncmp(line, "property double", 15)) p->vertex_bytes += 8, p->wide = true;
     else if (in_vertex && !strncmp(line, "property float", 14)) p->vertex_bytes += 4;
+    else if (in_vertex && !strncmp(line, "property uchar", 14)) p->vertex_bytes += 1;
     at = next;
   }
   return false;

@@ -14,9 +14,9 @@
 (define (asks what convert next . options) (make-question what options convert next))
 (define-syntax option (syntax-rules () ((_ word body ...) (cons word (lambda () body ...)))))
 
-; (define-command ("NAME" "ALIAS" ...) question): the question is made anew for each use of the command.
+; (define-command '("NAME" "ALIAS" ...) question): the question is made anew for each use of the command.
 (define-syntax define-command
-  (syntax-rules () ((_ (name ...) body ...) (let ((start (lambda () body ...))) (hash-set! commands name start) ...))))
+  (syntax-rules (quote) ((_ (quote (name ...)) body ...) (let ((start (lambda () body ...))) (hash-set! commands name start) ...))))
 
 ; Returns a text without the marks that AutoCAD permits before names: _ . -
 (define (name-of s)

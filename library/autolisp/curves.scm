@@ -17,13 +17,13 @@
   (let ((l (distinct points))) (if closed? (apply make-polygon l) (make-line l))))
 
 ; Each segment is a line of its own.
-(define-command ("LINE" "L")
+(define-command '("LINE" "L")
   (asks-points "a first point" 2
     (lambda (points closed?)
       (for-each (lambda (p q) (if (not (equal? p q)) (made! (make-line p q))))
         points (if closed? (append (cdr points) (list (car points))) (cdr points)))
       #f)))
-(define-command ("3DPOLY" "3P") (asks-points "a first point" 2 (lambda (points closed?) (made (path points closed?)))))
+(define-command '("3DPOLY" "3P") (asks-points "a first point" 2 (lambda (points closed?) (made (path points closed?)))))
 
 ; ---- polylines: pieces are lines and arcs that continue in the direction of the piece before ----
 
@@ -40,7 +40,7 @@
 ; Returns the direction at q of the arc from p that leaves p in the direction v.
 (define (direction-after v p q)
   (let* ((d (unitize (p->q p q))) (u (unitize v))) (v-v (v*r d (* 2 (dot d u))) u)))
-(define-command ("PLINE" "PL")
+(define-command '("PLINE" "PL")
   (let ()
     (define (finish pieces) (made (if (null? (cdr pieces)) (car pieces) (apply join-curves (reverse pieces)))))
     (define (more start p v pieces arc?)
@@ -65,7 +65,7 @@
 
 ; ---- splines ----
 
-(define-command ("SPLINE" "SPL")
+(define-command '("SPLINE" "SPL")
   (asks-points "a first point" 2
     (lambda (points closed?)
       (define (tangents p)
@@ -84,13 +84,13 @@
     (p+v a (v/r (v+v (v*r (cross v n) (dot u u)) (v*r (cross n u) (dot v v))) (* 2 nn)))))
 (define (asks-three next)
   (asks "a first point" as-point (lambda (a) (asks "a second point" as-point (lambda (b) (asks "a third point" as-point (lambda (c) (next a b c))))))))
-(define-command ("CIRCLE" "C")
+(define-command '("CIRCLE" "C")
   (asks "a centre" as-point
     (lambda (p) (asks-radius "a radius" p (lambda (r) (made (make-circle p r)))))
     (option "3P" (asks-three (lambda (a b c) (let ((m (circle-center a b c))) (made (make-circle m (distance m a)))))))
     (option "2P" (asks "a first point" as-point (lambda (a) (asks "a second point" as-point
       (lambda (b) (made (make-circle (mid a b) (/ (distance a b) 2))))))))))
-(define-command ("ARC" "A")
+(define-command '("ARC" "A")
   (let ()
     (define (around c p)
       (define (angle a) (let ((from (atan (- (cy p) (cy c)) (- (cx p) (cx c))))) (made (make-arc c (distance c p) from (+ from a)))))
@@ -119,7 +119,7 @@
 
 ; ---- faces: four points, then two more for each further face ----
 
-(define-command ("3DFACE" "3F")
+(define-command '("3DFACE" "3F")
   (let ()
     (define (third a b)
       (asks "a third point" as-point
@@ -128,5 +128,5 @@
             (option "" (made! (make-3dface a b c c)) (third c c))))
         (option "" #f)))
     (asks "a first point" as-point (lambda (a) (asks "a second point" as-point (lambda (b) (third a b)))))))
-(define-command ("RECTANG" "RECTANGLE" "REC")
+(define-command '("RECTANG" "RECTANGLE" "REC")
   (asks "a corner" as-point (lambda (p) (asks "the other corner" as-point (lambda (q) (made (make-rectangle p q)))))))

@@ -12,8 +12,8 @@
   (asks "a base point" as-point
     (lambda (p) (asks "a second point" as-point (lambda (q) (next p (p->q p q))) (option "" (next p (from-origin p)))))
     (option "Displacement" (asks "a displacement" as-point (lambda (p) (next p (from-origin p)))))))
-(define-command ("MOVE" "M") (asks-objects (lambda (l) (asks-vector (lambda (p v) (changed! l (moves v)))))))
-(define-command ("COPY" "CO" "CP")
+(define-command '("MOVE" "M") (asks-objects (lambda (l) (asks-vector (lambda (p v) (changed! l (moves v)))))))
+(define-command '("COPY" "CO" "CP")
   (asks-objects
     (lambda (l)
       (define (more p)
@@ -24,7 +24,7 @@
         (make-question (question-what q)
           (append (question-options q) (list (option "Multiple" (start)) (option "mOde" (asks "a mode" as-text (lambda (m) (start))))))
           (question-convert q) (question-next q))))))
-(define-command ("ERASE" "E") (asks-objects (lambda (l) (for-each erased! l) #f)))
+(define-command '("ERASE" "E") (asks-objects (lambda (l) (for-each erased! l) #f)))
 
 ; Asks for an angle about the vector v through p, and turns the objects.
 (define (asks-turn l p v)
@@ -35,8 +35,8 @@
         (asks "the angle of reference" (as-degrees-from p)
           (lambda (from) (asks "the new angle" (as-degrees-from p) (lambda (to) (turn! l (turns p v (- to from))))))))))
   (angle changed!))
-(define-command ("ROTATE" "RO") (asks-objects (lambda (l) (asks "a base point" as-point (lambda (p) (asks-turn l p vertical))))))
-(define-command ("ROTATE3D" "3DROTATE")
+(define-command '("ROTATE" "RO") (asks-objects (lambda (l) (asks "a base point" as-point (lambda (p) (asks-turn l p vertical))))))
+(define-command '("ROTATE3D" "3DROTATE")
   (asks-objects
     (lambda (l)
       (define (along v) (option-asks-point (lambda (p) (asks-turn l p v))))
@@ -52,10 +52,10 @@
   (define (mirrored o) (do-mirror o plane))
   (asks "Yes or No" (lambda (v) #f) (lambda (v) #f)
     (option "Yes" (changed! l mirrored)) (option "No" (copies! l mirrored)) (option "" (copies! l mirrored))))
-(define-command ("MIRROR" "MI")
+(define-command '("MIRROR" "MI")
   (asks-objects (lambda (l) (asks "a point" as-point (lambda (p) (asks "a point" as-point
     (lambda (q) (asks-deletion l (make-plane p (cross (p->q p q) vertical))))))))))
-(define-command ("MIRROR3D" "3DMIRROR")
+(define-command '("MIRROR3D" "3DMIRROR")
   (asks-objects
     (lambda (l)
       (define (across v) (option-asks-point (lambda (p) (asks-deletion l (make-plane p v)))))
@@ -66,7 +66,7 @@
           (option "XY" (across vertical)) (option "YZ" (across (vxyz 1 0 0))) (option "ZX" (across (vxyz 0 1 0)))
           (option "3points" (three)) (option "" (three))))
       (three))))
-(define-command ("SCALE" "SC")
+(define-command '("SCALE" "SC")
   (asks-objects
     (lambda (l)
       (asks "a base point" as-point
@@ -106,7 +106,7 @@
 (define (asks-full-turn next) (asks "an angle" as-degrees (lambda (a) (next (if (= a 0) 2pi a))) (option "" (next 2pi))))
 (define (asks-turned next)
   (asks "Yes or No" (lambda (v) #f) (lambda (v) #f) (option "Yes" (next #t)) (option "No" (next #f)) (option "" (next #t))))
-(define-command ("ARRAY" "AR")
+(define-command '("ARRAY" "AR")
   (asks-objects
     (lambda (l)
       (define (rectangular)
@@ -118,7 +118,7 @@
           (asks-full-turn (lambda (a) (asks-turned (lambda (turned?) (ring! l p vertical n a turned?)))))))))) 
       (asks "Rectangular or Polar" (lambda (v) #f) (lambda (v) #f)
         (option "Rectangular" (rectangular)) (option "Polar" (polar)) (option "" (rectangular))))))
-(define-command ("3DARRAY" "3A")
+(define-command '("3DARRAY" "3A")
   (asks-objects
     (lambda (l)
       (define (rectangular)
@@ -185,14 +185,14 @@
     (option "LOck" (named (lambda (n) n))) (option "Unlock" (named (lambda (n) n)))
     (option "Ltype" (asks "a line type" as-text (lambda (t) (named (lambda (n) n)))))
     (option "" #f)))
-(define-command ("LAYER" "LA") (asks-layer))
-(define-command ("COLOR" "COLOUR" "COL")
+(define-command '("LAYER" "LA") (asks-layer))
+(define-command '("COLOR" "COLOUR" "COL")
   (asks "a colour, a name or a number from 1 to 7" as-color (lambda (c) (set! current-color c) #f)
     (option "BYLayer" (set! current-color #f) #f)))
 
 ; ---- commands that change only the view: their answers, up to the end of the call, are ignored ----
 
 (define (ignoring) (asks "anything" (lambda (v) #t) (lambda (v) (ignoring)) (cons 'end #f) (option "" (ignoring))))
-(define-command ("ZOOM" "Z" "PAN" "VPOINT" "VIEW" "SHADEMODE" "VSCURRENT" "HIDE" "REGEN" "REGENALL" "REDRAW" "UNDO" "OSNAP"
+(define-command '("ZOOM" "Z" "PAN" "VPOINT" "VIEW" "SHADEMODE" "VSCURRENT" "HIDE" "REGEN" "REGENALL" "REDRAW" "UNDO" "OSNAP"
                  "GRID" "SNAP" "ORTHO" "PLAN" "SHADE" "RENDER" "UCSICON" "OSMODE" "CMDECHO")
   (ignoring))

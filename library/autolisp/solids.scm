@@ -36,27 +36,27 @@
     (option "2Point" (asks "a point" as-point (lambda (a) (asks "a point" as-point (lambda (b) (next (+z p (distance a b))))))))
     options))
 
-(define-command ("BOX") (asks-box (lambda (p q) (made (make-box p q)))))
-(define-command ("WEDGE" "WE")
+(define-command '("BOX") (asks-box (lambda (p q) (made (make-box p q)))))
+(define-command '("WEDGE" "WE")
   (asks-box (lambda (p q)
     (let ((w (make-wedge p q)))
       ; the full height is above the first corner, and the base is at its height
       (let* ((m (mid p q)) (w (if (< (cx q) (cx p)) (do-mirror w (make-plane m (vxyz 1 0 0))) w)))
         (made (if (< (cz q) (cz p)) (do-mirror w (make-plane m (vxyz 0 0 1))) w)))))))
-(define-command ("CYLINDER" "CYL") (asks-center-and-radius (lambda (p r) (asks-top p (lambda (q) (made (make-cylinder p q r)))))))
-(define-command ("CONE")
+(define-command '("CYLINDER" "CYL") (asks-center-and-radius (lambda (p r) (asks-top p (lambda (q) (made (make-cylinder p q r)))))))
+(define-command '("CONE")
   (asks-center-and-radius
     (lambda (p r)
       (asks-top p (lambda (q) (made (make-cone p q r)))
         (option "Top radius" (asks-radius "a top radius" p (lambda (top) (asks-top p (lambda (q) (made (make-cut-cone p r q top)))))))))))
-(define-command ("SPHERE") (asks-center-and-radius (lambda (p r) (made (make-sphere p r)))))
-(define-command ("TORUS" "TOR")
+(define-command '("SPHERE") (asks-center-and-radius (lambda (p r) (made (make-sphere p r)))))
+(define-command '("TORUS" "TOR")
   (asks-center-and-radius (lambda (p r) (asks-radius "a tube's radius" p (lambda (tube) (made (make-torus p r tube)))))))
 
 ; ---- solids from profiles ----
 
 (define (each-made profiles make) (for-each (lambda (e) (copied! e (make (entity-object e))) (erased! e)) profiles) #f)
-(define-command ("EXTRUDE" "EXT")
+(define-command '("EXTRUDE" "EXT")
   (asks-objects
     (lambda (l)
       (define (height taper)
@@ -67,7 +67,7 @@
             (asks "a point" as-point (lambda (p) (asks "a point" as-point (lambda (q) (each-made l (lambda (o) (do-extrude o (p->q p q)))))))))
           (option "Path" (asks-object "a path" (lambda (path) (each-made l (lambda (o) (do-sweep o (entity-object path)))))))))
       (height 0))))
-(define-command ("REVOLVE" "REV")
+(define-command '("REVOLVE" "REV")
   (asks-objects
     (lambda (l)
       (define (about p v)
@@ -79,7 +79,7 @@
         (option "X" (about (xyz 0 0 0) (vxyz 1 0 0)))
         (option "Y" (about (xyz 0 0 0) (vxyz 0 1 0)))
         (option "Z" (about (xyz 0 0 0) (vxyz 0 0 1)))))))
-(define-command ("SWEEP")
+(define-command '("SWEEP")
   (asks-objects
     (lambda (l)
       (define (path twist scale)
@@ -89,7 +89,7 @@
           (option "Twist" (asks "an angle" as-degrees (lambda (a) (path a scale))))
           (option "Scale" (asks "a factor" as-number (lambda (k) (path twist k))))))
       (path 0 1))))
-(define-command ("LOFT")
+(define-command '("LOFT")
   (asks-objects
     (lambda (l)
       (define (made-of make)
@@ -107,9 +107,9 @@
   (for-each erased! (cdr l))
   (for-each erased! others)
   #f)
-(define-command ("UNION" "UNI") (asks-objects (lambda (l) (combined! l '() (lambda (all none) (unite all))))))
-(define-command ("INTERSECT" "IN") (asks-objects (lambda (l) (combined! l '() (lambda (all none) (apply intersect all))))))
-(define-command ("SUBTRACT" "SU")
+(define-command '("UNION" "UNI") (asks-objects (lambda (l) (combined! l '() (lambda (all none) (unite all))))))
+(define-command '("INTERSECT" "IN") (asks-objects (lambda (l) (combined! l '() (lambda (all none) (apply intersect all))))))
+(define-command '("SUBTRACT" "SU")
   (asks-objects (lambda (l) (asks-objects (lambda (cut) (combined! l cut (lambda (all cutters) (subtract (unite all) cutters))))))))
 
 ; ---- the words of the courses, which are such commands ----
