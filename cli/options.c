@@ -568,9 +568,14 @@ bool cli_options_late(cli_options *o, const vs_scheme *scheme) {
   return true;
 }
 
+/* Returns the path without its folders. */
+static const char *file_name(const char *path) {
+  const char *slash = strrchr(path, '/');
+  return slash ? slash + 1 : path;
+}
+
 bool cli_options_is_pattern(const char *path) {
-  const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
-  return name[0] == '%' && name[1] == '.';
+  return *file_name(path) == '%';
 }
 
 /* Returns true if the output file can probably be written. Otherwise reports it now, before long work begins. */
@@ -892,7 +897,7 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
   o->interpreter.command_line_count = o->word_count;
   bool formats = !(takes & (CLI_TAKES_FOLDER | CLI_TAKES_LANGUAGE | CLI_TAKES_MANY | CLI_TAKES_SWEEP));
   for (size_t i = 0; formats && i < o->target_count; i++)
-    if (cli_options_is_pattern(o->targets[i].path)) {
+    if (strncmp(file_name(o->targets[i].path), "%.", 2) == 0) {
       fprintf(stderr, "vs: -o %s: the name of a model takes the place of %% in outputs of vs render: vs render",
               o->targets[i].path);
       for (size_t k = 0; k < o->source_count; k++)
