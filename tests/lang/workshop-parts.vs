@@ -41,3 +41,6 @@
 (displayln (cut-list (list left left plank) 'mark 'count 'name (cons 'top (lambda (o) (cz (second (bounding-box o))))) #:digits 2)) ; expect: ((mark count name top) (A 2 subtract 1.0) (B 1 box 1.0))
 (displayln (map car (cut-list (map (lambda (i) (make-box origin (xyz i 1 1))) (iota 53 2)) 'mark)))
 ; expect: (mark A B C D E F G H I J K L M N O P Q R S T U V W X Y Z AA AB AC AD AE AF AG AH AI AJ AK AL AM AN AO AP AQ AR AS AT AU AV AW AX AY AZ BA)
+; the middle of a room lies within it, also where the centroid does not
+(define angle (subtract (make-region (make-rectangle origin (xy 10 10))) (make-region (make-rectangle (xy 2 2) (xy 10 10)))))
+(displayln (list (contains? angle (centroid angle)) (contains? angle (region-middle angle)))) ; expect: (#f #t)

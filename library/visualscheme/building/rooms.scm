@@ -70,10 +70,6 @@
     (apply + (map (lambda (l) (/ (abs (turn (cdr l))) 2))
                (filter (lambda (l) (and (not (car l)) (not (any (lambda (o) (and (not (eq? o l)) (not (car o)) (inside? (inner-point (cdr l)) (cdr o)))) loops)))) loops)))))
 
-; Writes name and area of each room into the drawing's views.
+; Writes name and area of each room into the drawing's views, where the room is widest.
 (define (label-rooms rooms #:view [view any? #f])
-  (for-each
-    (lambda (r)
-      (let* ((p (centroid (room-region r))) (text (string-append (format "~a" (room-name r)) ": " (number->string (/ (round (* 10 (room-area r))) 10)) " m²")))
-        (if view (label p text #:view view) (label p text))))
-    rooms))
+  (for-each (lambda (r) (room-label (room-region r) (format "~a" (room-name r)) #:digits 1 #:view view)) rooms))
