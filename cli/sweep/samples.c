@@ -1,7 +1,6 @@
-/* Chooses the sets of a sweep. The Sobol sequence is that of the GNU Scientific Library, which is loaded for it. */
+/* Chooses the sets of a sweep. The Sobol sequence is that of the library NLopt, which is loaded for it. */
 #include "cli/sweep/samples.h"
 
-#include <gsl/gsl_qrng.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -107,28 +106,29 @@ static bool latin(const sweep_sample *s, size_t axes, double *points) {
 
 /* ---- the Sobol sequence ---- */
 
-static const char *const sobol_files[] = {"libgsl.so.27", "libgsl.so.28", "libgsl.so.25", "libgsl.dylib", NULL};
-static const vs_dynamic_library sobol_library = {sobol_files, "libgsl27", "--sample sobol"};
-#define FUNCTIONS(F)                                                              \
-  F(begin, gsl_qrng_alloc, gsl_qrng *, (const gsl_qrng_type *, unsigned))         \
-  F(next, gsl_qrng_get, int, (const gsl_qrng *, double *))                        \
-  F(end, gsl_qrng_free, void, (gsl_qrng *))                                       \
-  F(kind, gsl_qrng_sobol, void, (void)) /* a variable, whose address is read */
+/* NLopt's generator, which its library exports and its header does not declare. */
+typedef struct nlopt_soboldata_s nlopt_sobol_state;
+
+static const char *const sobol_files[] = {"libnlopt.so.0", "libnlopt.so.1", "libnlopt.dylib", NULL};
+static const vs_dynamic_library sobol_library = {sobol_files, "libnlopt0", "--sample sobol"};
+#define FUNCTIONS(F)                                                                  \
+  F(begin, nlopt_sobol_create, nlopt_sobol_state *, (unsigned))                       \
+  F(next, nlopt_sobol_next01, void, (nlopt_sobol_state *, double *))                  \
+  F(end, nlopt_sobol_destroy, void, (nlopt_sobol_state *))
 VS_DYNAMIC_FUNCTIONS(FUNCTIONS);
+enum { SOBOL_AXES = 1111 }; /* greatest number of axes of NLopt's generator */
 
 /* Fills points as `latin` does. With a seed other than 0, moves all points by one random vector around the torus. */
 static bool sobol(const sweep_sample *s, size_t axes, double *points) {
   dynamic_functions f;
   vs_error e = {0};
-  const gsl_qrng_type *const *kind;
   uint64_t state = s->seed;
   if (!vs_dynamic_load(&sobol_library, dynamic_names, sizeof dynamic_names / sizeof *dynamic_names, &f, &e))
     return fprintf(stderr, "vs sweep: %s\n", e.message), false;
-  memcpy(&kind, &f.kind, sizeof kind);
-  if (axes > (*kind)->max_dimension)
-    return fprintf(stderr, "vs sweep: a Sobol sequence has at most %u parameters; --sample lhs:%zu has no limit\n",
-                   (*kind)->max_dimension, s->count), false;
-  gsl_qrng *q = f.begin(*kind, (unsigned)axes);
+  if (axes > SOBOL_AXES)
+    return fprintf(stderr, "vs sweep: a Sobol sequence has at most %d parameters; --sample lhs:%zu has no limit\n",
+                   SOBOL_AXES, s->count), false;
+  nlopt_sobol_state *q = f.begin((unsigned)axes);
   if (!q) return sweep_no_memory();
   for (size_t i = 0; i < s->count; i++) f.next(q, points + i * axes);
   f.end(q);
