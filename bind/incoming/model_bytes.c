@@ -38,7 +38,7 @@ static vs_status glb_chunks(vs_scheme *vm, vs_value path, const vs_text *file, v
     return vs_incoming_broken(vm, path, 1, "this is no .glb: it does not begin with glTF");
   if (u32_at(b + 4) != 2) return vs_incoming_broken(vm, path, 1, "only version 2 of .glb is read");
   size_t json = u32_at(b + 12), all = u32_at(b + 8);
-  if (all > file->count || json > all - 20 || memcmp(b + 16, "JSON", 4) != 0)
+  if (all > file->count || all < 20 || json > all - 20 || memcmp(b + 16, "JSON", 4) != 0)
     return vs_incoming_broken(vm, path, 1, "the file is cut off");
   size_t next = 20 + json, binary = 0;
   if (all >= next + 8 && memcmp(b + next + 4, "BIN", 4) == 0) {

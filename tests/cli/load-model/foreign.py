@@ -51,6 +51,7 @@ broken(10, lambda m: m, cut=9)
 broken(11, lambda m: m, magic=b'glTg')
 broken(12, lambda m: m, version=1)
 glb('b13.glb', b'{"asset": [', binary)
+open('b4.glb', 'wb').write(b'glTF' + struct.pack('<III', 2, 5, 200000000) + b'JSON{}  ')  # shorter than its head, it says
 broken(14, lambda m: m, binary=struct.pack('<f', float('nan')) + binary[4:])
 def mf(name, parts, cut=0):
     with zipfile.ZipFile('whole.zip', 'w', zipfile.ZIP_DEFLATED) as z:
