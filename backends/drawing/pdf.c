@@ -180,10 +180,19 @@ static bool hand_over(vs_emitter *e, const vs_pdf_library *lib, HPDF_Doc doc) {
   return ok;
 }
 
+/* Returns true if a page can be as large as the sheet. A view without a sheet can be larger. */
+static bool check_size(const vs_emitter *e, const vs_sheet *s) {
+  static const double most = 5080; /* mm: 200 inches, the limit of pages of PDF */
+  if (fmax(s->width, s->height) <= most) return true;
+  return vs_error_set(e->error, VS_ERROR_MODEL, NULL,
+      "the drawing is %.0f x %.0f mm, and a page of .pdf is at most %g x %g mm; give the view a #:scale, or write .svg "
+      "or .dxf", s->width, s->height, most, most);
+}
+
 bool vs_sheet_write_pdf(vs_emitter *e, const vs_sheet *s) {
   vs_pdf_library lib;
   char path[1024];
-  if (!load(&lib, e->error)) return false;
+  if (!check_size(e, s) || !load(&lib, e->error)) return false;
   e->error->kind = VS_ERROR_NONE;
   if (!vs_font_file("", path, sizeof path, e->error))
     return e->error->kind != VS_ERROR_NONE ? false : vs_error_set(e->error, VS_ERROR_FILE, NULL,
