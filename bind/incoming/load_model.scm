@@ -9,47 +9,37 @@
 
 (define (%model-fail file text) (error 'load-model "~a: ~a" file text))
 
-; ---- maps of space: vectors of 12 numbers, row by row ----
+; ---- matrices ----
 
-(define %map-identity (vector 1 0 0 0 0 1 0 0 0 0 1 0))
-(define (%map-scaling x y z) (vector x 0 0 0 0 y 0 0 0 0 z 0))
-(define (%map-translation x y z) (vector 1 0 0 x 0 1 0 y 0 0 1 z))
+; Returns the matrix of twelve numbers, row by row.
+(define (%matrix-of-rows numbers) (apply make-matrix (append numbers '(0 0 0 1))))
+(define (%matrix-to x y z) (translation-matrix (vxyz x y z)))
+(define (%matrix-of-scales x y z) (%matrix-of-rows (list x 0 0 0 0 y 0 0 0 0 z 0))) ; mirrors, too, unlike scaling-matrix
 
-(define (%map-times m n)
-  (let ((made (make-vector 12 0)))
-    (do ((row 0 (+ row 1))) ((= row 3) made)
-      (do ((k 0 (+ k 1))) ((= k 4))
-        (let ((m (lambda (i) (vector-ref m (+ (* 4 row) i)))) (n (lambda (i) (vector-ref n (+ (* 4 i) k)))))
-          (vector-set! made (+ (* 4 row) k)
-            (+ (* (m 0) (n 0)) (* (m 1) (n 1)) (* (m 2) (n 2)) (if (= k 3) (m 3) 0))))))))
-
-; Returns the map of a rotation by a quaternion. Numbers that the file rounded to almost a whole one become whole, so that a
-; quarter turn and its reverse make nothing.
-(define (%map-rotation x y z w)
+; Returns the matrix of a rotation by a quaternion. Numbers that the file rounded to almost a whole one become whole, so
+; that a quarter turn and its reverse make nothing.
+(define (%quaternion-matrix x y z w)
   (let ((n (sqrt (+ (* x x) (* y y) (* z z) (* w w)))))
     (if (= n 0)
-        %map-identity
+        %identity-matrix
         (let ((x (/ x n)) (y (/ y n)) (z (/ z n)) (w (/ w n)))
           (define (whole v) (let ((r (round v))) (if (< (abs (- v r)) 1e-12) r v)))
           (define (one a b) (whole (- 1 (* 2 (+ (* a a) (* b b))))))
           (define (sum a b c d) (whole (* 2 (+ (* a b) (* c d)))))
-          (vector (one y z) (sum x y (- z) w) (sum x z y w) 0
+          (%matrix-of-rows
+            (list (one y z) (sum x y (- z) w) (sum x z y w) 0
                   (sum x y z w) (one x z) (sum y z (- x) w) 0
-                  (sum x z (- y) w) (sum y z x w) (one x y) 0)))))
+                  (sum x z (- y) w) (sum y z x w) (one x y) 0))))))
 
-(define (%map-turn x y z angle)
+(define (%turn-matrix x y z angle)
   (let ((n (sqrt (+ (* x x) (* y y) (* z z)))))
     (if (= n 0)
-        %map-identity
-        (let ((s (/ (sin (/ angle 2)) n))) (%map-rotation (* s x) (* s y) (* s z) (cos (/ angle 2)))))))
+        %identity-matrix
+        (let ((s (/ (sin (/ angle 2)) n))) (%quaternion-matrix (* s x) (* s y) (* s z) (cos (/ angle 2)))))))
 
-(define (%map-object m o)
-  (define (same? i) (or (= i 12) (and (= (vector-ref m i) (vector-ref %map-identity i)) (same? (+ i 1)))))
-  (if (same? 0) o (do-transform o (apply make-matrix (append (vector->list m) '(0 0 0 1))))))
-
-; The map from a scene whose Y axis is up, in a unit of so many metres.
-(define (%map-upright metres)
-  (let ((k (/ metres (%model-metres)))) (vector k 0 0 0 0 0 (- k) 0 0 k 0 0)))
+; Returns the matrix from a scene whose Y axis is up, in a unit of so many metres.
+(define (%upright-matrix metres)
+  (let ((k (/ metres (%model-metres)))) (%matrix-of-rows (list k 0 0 0 0 0 (- k) 0 0 k 0 0))))
 
 ; ---- what a reader collects ----
 
