@@ -102,6 +102,7 @@
                (apply %matrix-of-scales (vector-of e 'scale 3 '(1 1 1)))
                (turn-back 'scaleOrientation)
                (apply %matrix-to (map - c)))))
+  (define (holds-shape? e) (or (eq? (%xml-name e) 'Shape) (any holds-shape? (%xml-children e))))
   (define (walk e m active)
     (let ((e (used e)))
       (define (children m) (for-each (lambda (c) (walk c m (cons e active))) (%xml-children e)))
@@ -117,7 +118,8 @@
         ((Shape)
          (if (not (and ours? (equal? (%xml-attribute e 'DEF #f) "ground")))
              (for-each (lambda (o) (%model-add! made #f (%by-matrix m o))) (objects-of e))))
-        ((Inline) (%model-note made "files within the file (Inline) are omitted")))))
+        ((Inline) (%model-note made "files within the file (Inline) are omitted"))
+        (else (if (holds-shape? e) (%model-note made (format "~a is omitted" (%xml-name e))))))))
   ; metres of the file's unit; vs writes the units of the model
   (define (metres)
     (let* ((head (child root 'head))
