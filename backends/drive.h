@@ -36,6 +36,7 @@ typedef struct {
   size_t next, shown;   /* next: index of the next child to visit. shown: number of children passed to the emitter */
   size_t asked;         /* children before this index need no further search for cached text */
   const vs_material *material;
+  const char *layer;
   vs_affine placement;
   vs_bounds reach;
   bool in_boolean;

@@ -54,8 +54,9 @@ struct vs_emitter {
   bool in_boolean;     /* true if this node is inside an intersection or a difference */
   bool carved;         /* at VS_PHASE_ENTER: true if the node occurs in an intersection or difference anywhere in the
                         * drawing */
-  /* Material and placement of the current node, computed from all operations above it. */
+  /* Material, layer and placement of the current node, computed from all operations above it. */
   const vs_material *material; /* material of the node, or NULL */
+  const char *layer;   /* name of the innermost layer around the node, or NULL */
   vs_affine placement;
   vs_bounds reach;     /* space outside which a half-space has no effect, in the coordinates of the current output */
   vs_drive *drive;

@@ -153,7 +153,8 @@ static bool drive_show(vs_emitter *e, const vs_ref *ref, drive_view view, bool b
     return status == VS_EMITTED || (status == VS_LOWER && drive_lower(e, ref));
   }
   drive_frame frame = {
-    .ref = *ref, .material = e->material, .placement = e->placement, .reach = e->reach, .in_boolean = e->in_boolean
+    .ref = *ref, .material = e->material, .layer = e->layer, .placement = e->placement, .reach = e->reach,
+    .in_boolean = e->in_boolean
   };
   bool placed = n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER || n->kind == VS_NATIVE ||
                 n->kind == VS_HIGHLIGHT || n->kind == VS_GHOST;
@@ -166,6 +167,7 @@ static bool drive_show(vs_emitter *e, const vs_ref *ref, drive_view view, bool b
       drive_place(e, &placement);
     }
     if (n->kind == VS_MATERIAL) e->material = VS_AS(material, n)->material;
+    if (n->kind == VS_LAYER) e->layer = VS_AS(layer, n)->name;
     if (n->flags & VS_NODE_CUT && !drive_reach(e, n)) return false;
     e->carved = view.entry != NULL && view.entry->carved;
     bool area = !drive_has(e, VS_VERBATIM) && vs_lower_as_area(e, n);
@@ -173,6 +175,7 @@ static bool drive_show(vs_emitter *e, const vs_ref *ref, drive_view view, bool b
     vs_emit_status status = lowered ? VS_LOWER : fn(e, ref, VS_PHASE_ENTER);
     if (status != VS_EMITTED) {
       e->material = frame.material;
+      e->layer = frame.layer;
       drive_place(e, &frame.placement);
       e->reach = frame.reach;
       return status == VS_WHOLE || (status == VS_LOWER && drive_lower(e, ref));
@@ -225,6 +228,7 @@ bool vs_drive_walk(vs_emitter *e, const vs_ref *root, bool body) {
     e->depth--;
     e->in_boolean = done.in_boolean;
     e->material = done.material;
+    e->layer = done.layer;
     drive_place(e, &done.placement);
     e->reach = done.reach;
     if (e->backend->emit[n->kind].fn(e, &done.ref, VS_PHASE_LEAVE) != VS_EMITTED) return false;
@@ -238,6 +242,7 @@ void vs_drive_reset(vs_emitter *e) {
   e->child_count = e->child_index = 0;
   e->smooth = e->in_boolean = false;
   e->material = NULL;
+  e->layer = NULL;
   e->body = e->parent = NULL;
   vs_affine here = vs_affine_identity();
   drive_place(e, &here);

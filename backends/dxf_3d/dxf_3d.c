@@ -12,6 +12,7 @@
 
 #include "backends/backend.h"
 #include "backends/drawing/dxf_codes.h"
+#include "geometry/nets/mesh_edges.h"
 #include "model/store/array.h"
 
 enum { NAME = 250, BY_BLOCK = 0 };
@@ -29,8 +30,6 @@ typedef struct {
   size_t block_count, block_room;
   const char **layers;         /* names of the layers in the order of first use */
   size_t layer_count, layer_room;
-  const char **open_layers;    /* names of the layers around the current node, outermost first */
-  size_t open_count, open_room;
 } dxf_3d;
 
 static bool space_sink(void *context, const void *bytes, size_t count) {
@@ -72,7 +71,6 @@ static void space_close(vs_emitter *e) {
   vs_emit_release(e, d->bytes, d->room, 1);
   vs_emit_release(e, d->blocks, d->block_room, sizeof *d->blocks);
   vs_emit_release(e, d->layers, d->layer_room, sizeof *d->layers);
-  vs_emit_release(e, d->open_layers, d->open_room, sizeof *d->open_layers);
   vs_emit_release(e, d, 1, sizeof *d);
   e->state = NULL;
 }
@@ -124,21 +122,7 @@ static void point(vs_writer *w, int number, vs_vec3 p) {
   code_real(w, number + 20, p.z);
 }
 
-static const char *layer_here(const dxf_3d *d) {
-  return d->open_count > 0 ? d->open_layers[d->open_count - 1] : NULL;
-}
-
 /* ---- faces ---- */
-
-/* A side of a triangle, between the vertices low and high. */
-typedef struct { uint32_t low, high, triangle; int side; } face_side;
-
-static int compare_sides(const void *a, const void *b) {
-  const face_side *s = a, *t = b;
-  if (s->low != t->low) return s->low < t->low ? -1 : 1;
-  if (s->high != t->high) return s->high < t->high ? -1 : 1;
-  return s->triangle < t->triangle ? -1 : s->triangle > t->triangle;
-}
 
 static vs_vec3 face_normal(const vs_mesh *m, uint32_t t) {
   vs_vec3 a = m->vertices[m->triangles[t][0]];
@@ -146,29 +130,28 @@ static vs_vec3 face_normal(const vs_mesh *m, uint32_t t) {
       vs_v3_cross(vs_v3_sub(m->vertices[m->triangles[t][1]], a), vs_v3_sub(m->vertices[m->triangles[t][2]], a)));
 }
 
+/* Returns true if the mesh has other edges between the ends of edge i, because more than two triangles meet there. */
+static bool is_shared(const vs_mesh_edges *s, size_t i) {
+  const vs_mesh_edge *at = &s->edges[i], *end = s->edges + s->edge_count;
+  return (i > 0 && at[-1].a == at->a && at[-1].b == at->b) || (at + 1 < end && at[1].a == at->a && at[1].b == at->b);
+}
+
 /* Sets hidden[t] to the flags of those sides of triangle t whose neighbour has its plane and its tag. hidden has an
  * element for each triangle, all 0. Returns false when memory is out. */
 static bool find_hidden(const vs_mesh *m, unsigned char *hidden) {
-  static const unsigned char flags[3] = { 1, 2, 8 }; /* the third side of a triangle is the fourth of the face */
-  size_t count = 0;
-  face_side *sides = vs_fresh(3 * m->triangle_count + 1, sizeof *sides);
-  if (sides == NULL) return false;
-  for (uint32_t t = 0; t < m->triangle_count; t++)
+  static const unsigned char flags[3] = { 2, 8, 1 }; /* of the sides opposite corner 0, 1, 2; the third side of a
+                                                      * triangle is the fourth of the face */
+  vs_mesh_edges s;
+  bool ok = vs_mesh_edges_make(&s, m);
+  for (uint32_t t = 0; ok && t < m->triangle_count; t++)
     for (int k = 0; k < 3; k++) {
-      uint32_t a = m->triangles[t][k], b = m->triangles[t][(k + 1) % 3];
-      sides[count++] = (face_side){ a < b ? a : b, a < b ? b : a, t, k };
+      const uint32_t *side = s.edges[s.of[t][k]].side, next = side[side[0] == t];
+      if (next != VS_MESH_NONE && !is_shared(&s, s.of[t][k]) && (m->tags == NULL || m->tags[t] == m->tags[next]) &&
+          vs_v3_dot(face_normal(m, t), face_normal(m, next)) > 1 - 1e-9)
+        hidden[t] |= flags[k];
     }
-  qsort(sides, count, sizeof *sides, compare_sides);
-  for (size_t i = 0, end; i < count; i = end) {
-    for (end = i + 1; end < count && sides[end].low == sides[i].low && sides[end].high == sides[i].high;) end++;
-    if (end != i + 2) continue;
-    uint32_t s = sides[i].triangle, t = sides[i + 1].triangle;
-    bool same = (m->tags == NULL || m->tags[s] == m->tags[t]) &&
-                vs_v3_dot(face_normal(m, s), face_normal(m, t)) > 1 - 1e-9;
-    if (same) hidden[s] |= flags[sides[i].side], hidden[t] |= flags[sides[i + 1].side];
-  }
-  free(sides);
-  return true;
+  vs_mesh_edges_free(&s);
+  return ok;
 }
 
 /* Writes the triangles of a solid at a place. m: the material of the parts that have none. */
@@ -184,7 +167,7 @@ static bool put_faces(dxf_3d *d, const vs_solid *solid, const vs_affine *place, 
     static const int forth[4] = { 0, 1, 2, 2 }, back[4] = { 1, 0, 2, 2 };
     uint32_t tag = mesh->tags != NULL ? mesh->tags[i] : 0;
     const vs_solid_part *part = tag < solid->part_count ? &solid->parts[tag] : NULL;
-    const char *layer = part != NULL && part->layer != NULL ? part->layer : layer_here(d);
+    const char *layer = part != NULL && part->layer != NULL ? part->layer : d->e->layer;
     ok = keep_layer(d, layer) && vs_emit_going(d->e, i);
     entity(d, "3DFACE", layer, part != NULL && part->material != NULL ? part->material : m);
     code(w, 100, "AcDbFace");
@@ -216,7 +199,7 @@ static vs_emit_status space_line(vs_emitter *e, const vs_ref *ref, vs_phase phas
   dxf_3d *d = e->state;
   vs_writer *w = d->w;
   const struct vs_line *l = VS_AS(line, ref->node);
-  const char *layer = layer_here(d);
+  const char *layer = d->e->layer;
   uint32_t count = l->points->count;
   if (count < 2) return VS_EMITTED;
   if (!keep_layer(d, layer)) return VS_FAILED;
@@ -244,17 +227,9 @@ static vs_emit_status space_line(vs_emitter *e, const vs_ref *ref, vs_phase phas
   return w->failed ? VS_FAILED : VS_EMITTED;
 }
 
-/* ---- layers ---- */
-
+/* Does nothing for placements, paint and layers, because the emitter already contains them. */
 static vs_emit_status space_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
-  dxf_3d *d = e->state;
-  if (ref->node->kind != VS_LAYER) return VS_EMITTED;
-  if (phase == VS_PHASE_LEAVE) {
-    d->open_count--;
-    return VS_EMITTED;
-  }
-  if (!vs_emit_grow(e, &d->open_layers, &d->open_room, d->open_count + 1, sizeof *d->open_layers)) return VS_FAILED;
-  d->open_layers[d->open_count++] = VS_AS(layer, ref->node)->name;
+  (void)e, (void)ref, (void)phase;
   return VS_EMITTED;
 }
 
@@ -291,7 +266,7 @@ static void put_insert(dxf_3d *d, uint32_t id, const vs_affine *place) {
   bool near_z = fabs(normal.x) < 1.0 / 64 && fabs(normal.y) < 1.0 / 64;
   vs_vec3 across = vs_v3_unit(vs_v3_cross(near_z ? vs_v3(0, 1, 0) : vs_v3(0, 0, 1), normal)),
           up = vs_v3_unit(vs_v3_cross(normal, across));
-  entity(d, "INSERT", layer_here(d), d->e->material);
+  entity(d, "INSERT", d->e->layer, d->e->material);
   code(w, 100, "AcDbBlockReference");
   block_name(name, id);
   code(w, 2, name);
@@ -303,7 +278,7 @@ static void put_insert(dxf_3d *d, uint32_t id, const vs_affine *place) {
 
 static bool space_use(vs_emitter *e, uint32_t id, const vs_ref *ref) {
   dxf_3d *d = e->state;
-  if (!keep_layer(d, layer_here(d))) return false;
+  if (!keep_layer(d, d->e->layer)) return false;
   if (vs_affine_is_placement(&e->placement)) {
     put_insert(d, id, &e->placement);
     return !d->w->failed;

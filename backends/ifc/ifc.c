@@ -35,16 +35,10 @@ typedef struct {
   vs_bounds bounds;       /* bounds of that shape */
   bool mirrored;          /* true if the points of that shape are mirrored, so that its faces are turned */
   bool styled;            /* true if that shape has the material of its parts */
-  const char **open_layers;
-  size_t open_count, open_room;
 } ifc;
 
 static ifc *state_of(const vs_emitter *e) { return e->state; }
 static unsigned next_line(vs_emitter *e) { return ++state_of(e)->last; }
-static const char *layer_here(const vs_emitter *e) {
-  const ifc *d = state_of(e);
-  return d->open_count > 0 ? d->open_layers[d->open_count - 1] : NULL;
-}
 
 /* ---- points and frames ---- */
 
@@ -364,8 +358,7 @@ static ifc_storey *storey_at(ifc *d, double z) {
 static bool put_element(vs_emitter *e, const vs_ref *ref, unsigned shape, const vs_affine *place, vs_bounds bounds) {
   ifc *d = state_of(e);
   vs_writer *w = e->out;
-  const char *layer = layer_here(e);
-  vs_ifc_class class_ = vs_ifc_class_of(layer);
+  vs_ifc_class class_ = vs_ifc_class_of(e->layer);
   ifc_storey *s = storey_at(d, bounds.min.z + 0.1 * (bounds.max.z - bounds.min.z));
   vs_vec3 at = vs_affine_column(place, 3);
   at.z -= s->height;
@@ -375,7 +368,7 @@ static bool put_element(vs_emitter *e, const vs_ref *ref, unsigned shape, const 
   vs_putf(w, "$,$,(#%u)", shape);
   vs_ifc_end(w);
   unsigned element = begin_thing(e, class_.name);
-  vs_ifc_text(w, layer != NULL ? layer : vs_kind_get((vs_kind)ref->node->kind)->name);
+  vs_ifc_text(w, e->layer != NULL ? e->layer : vs_kind_get((vs_kind)ref->node->kind)->name);
   vs_putf(w, ",$,$,#%u,#%u,'%u',%s", placement, product, d->things, class_.attributes);
   vs_ifc_end(w);
   size_t paint = vs_emit_material_number(e, e->material);
@@ -444,15 +437,9 @@ static vs_emit_status ifc_boolean(vs_emitter *e, const vs_ref *ref, vs_phase pha
   return ifc_leaf(e, ref, phase) == VS_EMITTED ? VS_WHOLE : VS_FAILED;
 }
 
+/* Does nothing for placements, paint and layers, because the emitter already contains them. */
 static vs_emit_status ifc_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
-  ifc *d = state_of(e);
-  if (ref->node->kind != VS_LAYER) return VS_EMITTED;
-  if (phase == VS_PHASE_LEAVE) {
-    d->open_count--;
-    return VS_EMITTED;
-  }
-  if (!vs_emit_grow(e, &d->open_layers, &d->open_room, d->open_count + 1, sizeof *d->open_layers)) return VS_FAILED;
-  d->open_layers[d->open_count++] = VS_AS(layer, ref->node)->name;
+  (void)e, (void)ref, (void)phase;
   return VS_EMITTED;
 }
 
@@ -633,7 +620,6 @@ static void ifc_close(vs_emitter *e) {
   vs_emit_release(e, d->maps, d->map_room, sizeof *d->maps);
   vs_emit_release(e, d->styles, d->styles != NULL ? materials : 0, sizeof *d->styles);
   vs_emit_release(e, d->painted, d->painted != NULL ? materials : 0, sizeof *d->painted);
-  vs_emit_release(e, d->open_layers, d->open_room, sizeof *d->open_layers);
   vs_ifc_list_free(e, &d->items);
   vs_nodemap_free_held(&d->shared);
   vs_emit_release(e, d, 1, sizeof *d);

@@ -18,7 +18,6 @@ void vs_loose_close(vs_emitter *e) {
   vs_emit_release(e, l->points, l->point_room, sizeof *l->points);
   vs_emit_release(e, l->corners, l->corner_room, sizeof *l->corners);
   vs_emit_release(e, l->runs, l->run_room, sizeof *l->runs);
-  vs_emit_release(e, l->layers, l->layer_room, sizeof *l->layers);
   vs_emit_release(e, l, 1, sizeof *l);
   e->state = NULL;
 }
@@ -34,8 +33,7 @@ static bool loose_add(vs_emitter *e, bool line, const vs_vec3 *points, size_t po
       !vs_emit_grow(e, &l->runs, &l->run_room, l->run_count + 1, sizeof *l->runs))
     return false;
   for (size_t i = 0; i < point_count; i++) l->points[l->point_count + i] = vs_affine_point(&e->placement, points[i]);
-  l->runs[l->run_count++] = (vs_loose_run){ line, l->corner_count, corner_count, e->material,
-      l->layer_count > 0 ? l->layers[l->layer_count - 1] : NULL };
+  l->runs[l->run_count++] = (vs_loose_run){ line, l->corner_count, corner_count, e->material, e->layer };
   return true;
 }
 
@@ -71,16 +69,8 @@ vs_emit_status vs_loose_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
 
 /* Returns VS_WHOLE for solids, so that the walk does not visit their children. */
 vs_emit_status vs_loose_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
-  vs_loose *l = e->state;
-  if (phase == VS_PHASE_ENTER && ref->node->class_ == VS_SOLID) return VS_WHOLE;
-  if (ref->node->kind != VS_LAYER) return VS_EMITTED;
-  if (phase == VS_PHASE_LEAVE) {
-    l->layer_count--;
-    return VS_EMITTED;
-  }
-  if (!vs_emit_grow(e, &l->layers, &l->layer_room, l->layer_count + 1, sizeof *l->layers)) return VS_FAILED;
-  l->layers[l->layer_count++] = VS_AS(layer, ref->node)->name;
-  return VS_EMITTED;
+  (void)e;
+  return phase == VS_PHASE_ENTER && ref->node->class_ == VS_SOLID ? VS_WHOLE : VS_EMITTED;
 }
 
 vs_emit_status vs_loose_boolean(vs_emitter *e, const vs_ref *ref, vs_phase phase) {

@@ -18,9 +18,8 @@ typedef struct {
   vs_vec3 *points;
   uint32_t *corners;           /* indices of points; the indices of a closed line end with its first index */
   vs_loose_run *runs;
-  const char **layers;         /* names of the layers around the current node, outermost first */
-  size_t point_count, corner_count, run_count, layer_count;
-  size_t point_room, corner_room, run_room, layer_room;
+  size_t point_count, corner_count, run_count;
+  size_t point_room, corner_room, run_room;
 } vs_loose;
 
 /* The `begin` and `close` of a back-end whose e->state is a vs_loose. */
