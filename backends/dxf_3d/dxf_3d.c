@@ -28,6 +28,8 @@ typedef struct {
   bool drawing;                /* true after the blocks, in the section of entities */
   unsigned *blocks;            /* handles of the templates' block records */
   size_t block_count, block_room;
+  const vs_material *painted;  /* material of the last entity that has one; colour: its index, slow to find */
+  int colour;
   const char **layers;         /* names of the layers in the order of first use */
   size_t layer_count, layer_room;
 } dxf_3d;
@@ -108,7 +110,9 @@ static unsigned entity(dxf_3d *d, const char *type, const char *layer, const vs_
   code(w, 100, "AcDbEntity");
   put_layer_name(w, 8, layer);
   if (m != NULL) {
-    code_int(w, 62, vs_dxf_colour_index((const double[3]){ m->red, m->green, m->blue }));
+    if (m != d->painted) d->colour = vs_dxf_colour_index((const double[3]){ m->red, m->green, m->blue });
+    d->painted = m;
+    code_int(w, 62, d->colour);
     code_int(w, 420, lround(255 * m->red) << 16 | lround(255 * m->green) << 8 | lround(255 * m->blue));
   } else if (d->in_block) {
     code_int(w, 62, BY_BLOCK);
