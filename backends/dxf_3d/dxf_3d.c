@@ -79,18 +79,26 @@ static void space_close(vs_emitter *e) {
 
 /* ---- entities ---- */
 
-/* Writes a layer's name as DXF allows. NULL is layer 0, which in a block is that of the block's place. */
-static void put_layer_name(vs_writer *w, int number, const char *layer) {
-  char name[NAME];
+/* Sets name to a layer's name as DXF allows. NULL is layer 0, which in a block is that of the block's place. */
+static const char *layer_name(char name[NAME], const char *layer) {
   if (layer == NULL) layer = "0";
   snprintf(name, NAME, "%.*s", (int)vs_character_cut(layer, NAME - 1), layer);
-  vs_dxf_text(w, number, vs_dxf_name(name));
+  return vs_dxf_name(name);
 }
 
+static void put_layer_name(vs_writer *w, int number, const char *layer) {
+  char name[NAME];
+  vs_dxf_text(w, number, layer_name(name, layer));
+}
+
+/* Keeps a layer for the table, unless it has a layer of that name. DXF makes one name of "a:b" and "A;b". */
 static bool keep_layer(dxf_3d *d, const char *layer) {
-  if (layer == NULL || strcmp(layer, "0") == 0) return true;
+  char name[NAME], other[NAME];
   for (size_t i = 0; i < d->layer_count; i++)
-    if (strcasecmp(d->layers[i], layer) == 0) return true;
+    if (d->layers[i] == layer) return true;
+  if (layer == NULL || strcmp(layer_name(name, layer), "0") == 0) return true;
+  for (size_t i = 0; i < d->layer_count; i++)
+    if (strcasecmp(layer_name(other, d->layers[i]), name) == 0) return true;
   if (!vs_emit_grow(d->e, &d->layers, &d->layer_room, d->layer_count + 1, sizeof *d->layers)) return false;
   d->layers[d->layer_count++] = layer;
   return true;
