@@ -288,7 +288,7 @@ static: ## what cppcheck, clang's analyzer and gcc -fanalyzer find where strange
 	sh scripts/static.sh
 
 # The kernel alone, under both: its units, a sample of its random trees, and files as the program writes them.
-KERNEL_UNITS = test_random_solids test_kernel test_crowds test_kernel_refusals test_inspect test_progress
+KERNEL_UNITS = test_random_solids test_kernel test_kernel_numbers test_crowds test_kernel_refusals test_inspect test_progress
 KERNEL_TESTS = $(KERNEL_UNITS:%=unit/%) vs tools/crossings tools/fuzz
 sanitized: ## the kernel's tests under the address, leak and undefined-behaviour sanitizers
 	$(MAKE) OPT="-O1 -g -fno-omit-frame-pointer -fsanitize=address -DVS_DEBUG=1" BUILD=$(BUILD)/asan LDFLAGS="-Wl,--no-as-needed -lstdc++" $(KERNEL_TESTS:%=$(BUILD)/asan/%)

@@ -16,5 +16,9 @@ static inline uint64_t throw(dice *d) {
 static inline double between(dice *d, double a, double b) {
   return a + (b - a) * (double)(throw(d) >> 11) / 9007199254740992.0;
 }
+/* Returns a whole number from low to high. */
+static inline int32_t whole_between(dice *d, int32_t low, int32_t high) {
+  return (int32_t)(low + (int64_t)((throw(d) >> 11) % (uint64_t)((int64_t)high - low + 1)));
+}
 
 #endif
