@@ -44,13 +44,13 @@
   (let ()
     (define (finish pieces) (made (if (null? (cdr pieces)) (car pieces) (apply join-curves (reverse pieces)))))
     (define (more start p v pieces arc?)
-      (define (piece q next-options)
+      (define (piece q)
         (cond ((equal? p q) (list v pieces))
               (arc? (list (direction-after v p q) (cons (tangent-arc p v q) pieces)))
               (else (list (unitize (p->q p q)) (cons (make-line p q) pieces)))))
-      (define (to q) (let ((r (piece q '()))) (more start q (car r) (cadr r) arc?)))
+      (define (to q) (let ((r (piece q))) (more start q (car r) (cadr r) arc?)))
       (define (widths) (asks "a width" as-number (lambda (a) (asks "a width" as-number (lambda (b) (more start p v pieces arc?)) (option "" (more start p v pieces arc?))))))
-      (define (close) (if (null? pieces) (error 'command "PLINE needs 2 points, got 1")) (finish (cadr (piece start '()))))
+      (define (close) (if (null? pieces) (error 'command "PLINE needs 2 points, got 1")) (finish (cadr (piece start))))
       (asks "a point, and Enter (\"\") at the end" as-point to
         (option "" (if (null? pieces) (error 'command "PLINE needs 2 points, got 1")) (finish pieces))
         (option "CLose" (close))
@@ -68,8 +68,6 @@
 (define-command '("SPLINE" "SPL")
   (asks-points "a first point" 2
     (lambda (points closed?)
-      (define (tangents p)
-        (asks "a tangent" as-point (lambda (q) (p->q p q)) (option "" #f) (cons 'end #f)))
       (made! (make-spline (if closed? (append points (list (car points))) points)))
       ; Enter twice keeps the directions at the ends
       (asks "Enter" (lambda (v) #f) (lambda (v) #f) (cons 'end #f)

@@ -88,7 +88,8 @@
     (do ((i 0 (+ i 1))) ((= i rows))
       (do ((j 0 (+ j 1))) ((= j columns))
         (if (not (= 0 i j k)) (copies! l (moves (vxyz (* j dx) (* i dy) (* k dz)))))))))
-; One object turns about the axis, the full turn is not drawn twice. turned? #f: the copies keep their direction.
+; Copies the objects around the axis, so that there are n of each. In a full turn, the first and the last do not coincide.
+; turned? #f: the copies keep their direction.
 (define (ring! l p v n angle turned?)
   (let ((step (if (< (abs (- (abs angle) 2pi)) 1e-9) (/ angle n) (/ angle (max 1 (- n 1))))))
     (do ((i 1 (+ i 1))) ((= i n) #f)

@@ -49,8 +49,8 @@
   (let ((at (member-index 'member-force r i case 12)) (ends (result-ends r)))
     (larger (- 0 (vector-ref ends at)) (vector-ref ends (+ at 6)))))
 
-; Returns the six internal forces and moments at the part t of the member's length. What the end forces lack for
-; equilibrium is the load along the member.
+; Returns the six internal forces and moments at the part t of the member's length. The end forces and the load along the
+; member are in equilibrium; so the load follows from them.
 (define (forces-at r i t case-number)
   (let* ((bars (bars-at (result-frame r))) (b (vector-ref bars (- i 1))) (count (vector-length bars)) (ends (result-ends r))
          (at (* 12 (+ (* count case-number) (- i 1)))) (e (lambda (k) (vector-ref ends (+ at k)))) (x (* t (bar-length b)))

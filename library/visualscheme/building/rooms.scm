@@ -5,8 +5,8 @@
 (define (room? x) (space? x))
 (define (space-of who r) (if (space? r) r (error who "room must be a room, as rooms returns it, got ~s" r)))
 
-; Returns the loops of the ground that all walls cover, each with whether it is the edge of a room. What is finer than
-; a thousandth of a square unit is no room: it comes from rounding at joints.
+; Returns the loops of the ground that all walls cover, each with whether it is the edge of a room. Loops of less than a
+; thousandth of a square unit are dropped: they come from rounding at joints.
 (define (covered-loops data)
   (let* ((regions (append-map (lambda (d) (map (lambda (a) (apply make-region (map make-polygon a))) (apply append (third (first (walling-slabs d)))))) data))
          (found (filter (lambda (l) (> (abs (turn l)) 2e-3))
