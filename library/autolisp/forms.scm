@@ -167,7 +167,7 @@
 (define-record-type |%error of AutoLISP| (make-caught %text) caught? (%text caught-text))
 (define (:vl-catch-all-apply f l)
   (let ((before kept))
-    (guard (e (#t (leave-to! before) (make-caught (if (error-object? e) (error-object-message e) "error"))))
+    (guard (e (#t (leave-to! before) (make-caught (if (error-object? e) (condition/report-string e) "error"))))
       (:apply f l))))
 (define (:vl-catch-all-error-p v) (truth (caught? v)))
 (define (:vl-catch-all-error-message v) (if (caught? v) (caught-text v) (refuse 'vl-catch-all-error-message "an error" v)))

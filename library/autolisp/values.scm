@@ -27,18 +27,23 @@
           ((< (abs (exact x)) (expt 10 e)) (loop (- e 1)))
           (else e))))
 
+; Returns the exponent of x after it is rounded to n decimals of its mantissa.
+(define (rounded-exponent x n)
+  (let ((e (exponent-of x))) (if (>= (abs (/ (exact x) (expt 10 e))) (- 10 (/ 1/2 (expt 10 n)))) (+ e 1) e)))
+
 ; Returns x with n decimals and an exponent; n #f: up to five.
 (define (scientific x n)
-  (let* ((e (if (= x 0) 0 (exponent-of x))) (m (/ (exact x) (expt 10 e))) (m (if n (fixed m n) (without-zeros (fixed m 5)))) (e-text (digits (abs e))))
+  (let* ((e (if (= x 0) 0 (rounded-exponent x (or n 5)))) (m (/ (exact x) (expt 10 e))) (m (if n (fixed m n) (without-zeros (fixed m 5)))) (e-text (digits (abs e))))
     (string-append m (if (< e 0) "e-" "e+") (if (< (abs e) 10) "0" "") e-text)))
+
+(define (infinite-text x) (cond ((not (= x x)) "nan") ((> x 0) "inf") (else "-inf")))
 
 ; Returns a real number with six digits, without zeros at the end.
 (define (real-text x)
-  (cond ((not (= x x)) "nan")
+  (cond ((not (finite? x)) (infinite-text x))
         ((= x 0) "0.0")
-        ((> (abs x) 1e300) (if (> x 0) "inf" "-inf"))
-        ((= 5 (exponent-of x)) (string-append (fixed x 0) ".0"))
-        ((< -5 (exponent-of x) 5) (without-zeros (fixed x (- 5 (exponent-of x)))))
+        ((= 5 (rounded-exponent x 5)) (string-append (fixed x 0) ".0"))
+        ((< -5 (rounded-exponent x 5) 5) (without-zeros (fixed x (- 5 (rounded-exponent x 5)))))
         (else (scientific x #f))))
 
 (define (symbol-text v) (let ((s (symbol->string v))) (string-upcase (if (char=? (string-ref s 0) #\:) (substring s 1) s))))
@@ -105,9 +110,9 @@
 (define (need-list who v) (if (list? v) v (refuse who "a list" v)))
 (define (need-pair who v) (if (or (pair? v) (null? v)) v (refuse who "a list" v)))
 
-; ---- arithmetic: whole numbers have 32 bits, and a larger result is real ----
+; ---- arithmetic: whole numbers have 32 bits; a larger result, or a fraction, is real ----
 
-(define (in-range n) (if (and (exact? n) (> (abs n) 2147483647)) (exact->inexact n) n))
+(define (in-range n) (if (and (exact? n) (not (and (integer? n) (<= (abs n) 2147483647)))) (exact->inexact n) n))
 (define (two who f) (lambda (a b) (in-range (f (need-number who a) (need-number who b)))))
 (define (folded who f unit)
   (let ((f (two who f)))
@@ -129,7 +134,9 @@
 (define (:1+ n) (:+ n 1))
 (define (:1- n) (:- n 1))
 (define (:abs n) (abs (need-number 'abs n)))
-(define (:fix n) (in-range (exact (truncate (need-number 'fix n)))))
+(define (:fix n)
+  (if (not (finite? (need-number 'fix n))) (refuse 'fix "a finite number" n))
+  (in-range (exact (truncate n))))
 (define (:float n) (exact->inexact (need-number 'float n)))
 (define-syntax real-function
   (syntax-rules () ((_ (name who f) ...) (begin (define (name n) (exact->inexact (f (need-number 'who n)))) ...))))
@@ -212,18 +219,24 @@
 (define (:itoa n) (digits (need-whole 'itoa n)))
 (define (:chr n) (string (integer->char (need-whole 'chr n))))
 (define (:ascii s) (if (string=? (need-string 'ascii s) "") 0 (char->integer (string-ref s 0))))
+; Returns true if the first n characters are those of decimal numbers alone: no fraction, base or name of Scheme.
+(define (plain-number? s n)
+  (let loop ((i 0)) (or (= i n) (and (string-index "0123456789+-.eE" (string-ref s i)) (loop (+ i 1))))))
 ; Returns the number that a text begins with, or 0.
 (define (leading s)
   (let loop ((n (string-length s)))
     (if (= n 0) 0
-        (let ((v (string->number (substring s 0 n)))) (if (and v (real? v) (= v v)) v (loop (- n 1)))))))
+        (let ((v (and (plain-number? s n) (string->number (substring s 0 n))))) (or v (loop (- n 1)))))))
 (define (:atof s) (exact->inexact (leading (need-string 'atof s))))
 (define (:atoi s) (in-range (exact (truncate (leading (need-string 'atoi s))))))
+; Returns the number of decimals that follows a mode.
+(define (places-in who how default)
+  (let ((n (if (and (pair? how) (pair? (cdr how))) (need-whole who (cadr how)) default)))
+    (if (<= 0 n 100) n (refuse who "a number of decimals from 0 to 100" n))))
 (define (:rtos n . how)
-  (let ((mode (if (pair? how) (car how) 2)) (places (if (and (pair? how) (pair? (cdr how))) (need-whole 'rtos (cadr how)) 4)))
-    (need-number 'rtos n)
+  (let ((mode (if (pair? how) (car how) 2)) (places (places-in 'rtos how 4)))
     (case mode
-      ((1) (scientific n places))
-      ((2) (fixed n places))
+      ((1) (if (finite? (need-number 'rtos n)) (scientific n places) (infinite-text n)))
+      ((2) (if (finite? (need-number 'rtos n)) (fixed n places) (infinite-text n)))
       (else (error 'rtos "mode 1 (scientific) or 2 (decimal) is needed, got ~a" (shown mode))))))
-(define (:angtos a . how) (fixed (radians->degrees (need-number 'angtos a)) (if (and (pair? how) (pair? (cdr how))) (need-whole 'angtos (cadr how)) 0)))
+(define (:angtos a . how) (let ((n (radians->degrees (need-number 'angtos a))) (places (places-in 'angtos how 0))) (if (finite? n) (fixed n places) (infinite-text n))))
