@@ -75,6 +75,8 @@
     (if (not (list? supports)) (error 'frame "supports must be a list of nodes, or of lists such as (list 1 'pinned), got ~s" supports))
     (for-each
       (lambda (s)
+        (if (not (or (not (pair? s)) (and (list? s) (or (not (pair? (car s))) (list? (car s))))))
+            (error 'frame "supports must be a list of nodes, or of lists such as (list 1 'pinned), got ~s" s))
         (let* ((nodes (if (pair? s) (if (pair? (car s)) (car s) (list (car s))) (list s)))
                (which (if (and (pair? s) (pair? (cdr s))) (ways-named s) (iota 6))))
           (for-each (lambda (n) (need-node 'frame 'supports n count) (for-each (lambda (i) (hold! n i)) which)) nodes)))
@@ -101,13 +103,14 @@
      (if (not (and (= (length l) 3) (vector-at? 2))) (bad))
      (if (not (and (exact-integer? (cadr l)) (<= 1 (cadr l) members))) (error 'frame "loads: a member must be a number from 1 to ~a, got ~s" members (cadr l))))
     (else
-     (if (not (and (<= 2 (length l) 3) (vector-at? 1) (or (= (length l) 2) (vector-at? 2)))) (bad))
+     (if (not (and (<= 2 (length l) 3) (vector-at? 1) (or (= (length l) 2) (vector-at? 2)) (or (not (pair? (car l))) (list? (car l))))) (bad))
      (for-each (lambda (n) (need-node 'frame 'loads n count)) (if (pair? (car l)) (car l) (list (car l)))))))
 
 ; Returns the list of cases, each a list of its name and loads.
 (define (cases-in loads count members)
   (if (not (list? loads)) (error 'frame "loads must be a list of loads, or of cases that begin with a name, got ~s" loads))
   (let ((cases (if (and (pair? loads) (every case? loads)) loads (list (cons "loads" loads)))))
+    (for-each (lambda (c) (if (not (list? c)) (error 'frame "loads: a case must be a list of a name and loads, got ~s" c))) cases)
     (for-each (lambda (c) (for-each (lambda (l)
                                       (if (case? l) (error 'frame "loads: the case ~s is beside loads without a case; give each a case" (car l)))
                                       (check-load l count members))

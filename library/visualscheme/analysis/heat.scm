@@ -36,6 +36,7 @@
   (for-each (lambda (name x) (need-number 'heat-balance name x)) '(inside) (list inside))
   (for-each (lambda (name x) (if (not (and (real? x) (finite? x) (>= x 0))) (error 'heat-balance "~a must be a number of 0 or more, got ~s" name x)))
     '(volume air-changes internal capacity) (list volume changes internal capacity))
+  (for-each (lambda (name l) (if (not (list? l)) (error 'heat-balance "~a must be a list, got ~s" name l))) '(surfaces windows) (list surfaces windows))
   (for-each (lambda (s) (if (not (and (list? s) (<= 2 (length s) 3) (every (lambda (x) (and (real? x) (>= x 0))) s)))
                             (error 'heat-balance "a surface must be (list area u-value) or (list area u-value factor), got ~s" s)))
     surfaces)

@@ -30,7 +30,7 @@
   (need-modes 'vibration-modes modes segments)
   (let* ((m (member-count f)) (all (make-vector (+ m (node-count f)) 0)))
     (for-each (lambda (b i) (vector-set! all i (* (section-area (bar-section b)) (bar-length b) (density-of (bar-material b))))) (members-of f) (iota m))
-    (if (not (and (list? masses) (every (lambda (x) (and (list? x) (= (length x) 2) (real? (second x)) (>= (second x) 0))) masses)))
+    (if (not (and (list? masses) (every (lambda (x) (and (list? x) (= (length x) 2) (real? (second x)) (finite? (second x)) (>= (second x) 0))) masses)))
         (error 'vibration-modes "masses must be lists of a node and kilograms, got ~s" masses))
     (for-each (lambda (x)
                 (need-node 'vibration-modes 'masses (first x) (node-count f))

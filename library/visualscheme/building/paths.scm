@@ -27,12 +27,15 @@
           ((meet? (car before) (car next)) (append (reverse before) (cdr next)))
           (else (append (reverse before) (cdr (reverse next)))))))
 
+; Returns the points without those that meet the next one.
+(define (without-meeting points) (fold-right (lambda (p more) (if (and (pair? more) (meet? p (car more))) more (cons p more))) '() points))
+
 ; Returns the points of a path in plan, each once, and whether the path is closed.
 (define (path-points who path)
   (define (fault) (error who "path must be a curve, or a list of two points or more, got ~s" path))
   (let* ((given (cond ((curve? path) (curve-samples path)) ((and (list? path) (every point? path)) path) (else (fault))))
          (z (if (pair? given) (cz (car given)) 0))
-         (points (fold-right (lambda (p more) (if (and (pair? more) (meet? p (car more))) more (cons p more))) '() (map flat given))))
+         (points (without-meeting (map flat given))))
     (if (or (null? points) (null? (cdr points))) (fault))
     (if (not (every (lambda (p) (near? (cz p) z)) given)) (error who "the points of path must have one height, got ~s" path))
     (let ((closed (and (> (length points) 3) (meet? (car points) (last points)))))

@@ -28,6 +28,7 @@
          (sorted (sort inner < #:key (lambda (l) (+ (* 1e6 (round (* 10 (apply min (map cy l))))) (apply min (map cx l))))))
          (holes-of (lambda (l) (filter (lambda (o) (and (inside? (inner-point o) l) (< (abs (turn o)) (abs (turn l))))) outer)))
          (in? (lambda (p l) (and (inside? p l) (not (any (lambda (o) (inside? p o)) (holes-of l)))))))
+    (if (not (list? names)) (error 'rooms "names must be lists of a name and a point, got ~s" names))
     (for-each
       (lambda (n)
         (if (not (and (list? n) (= (length n) 2) (point? (second n)))) (error 'rooms "names must be lists of a name and a point, got ~s" n))
@@ -62,7 +63,8 @@
 (define (room-doors r) (space-doors (space-of 'room-doors r)))
 
 ; Returns the doors between rooms, each once: the names on both sides and the width.
-(define (room-graph rooms) (delete-duplicates (append-map room-doors rooms) eq?))
+(define (room-graph rooms) (delete-duplicates (append-map room-doors (rooms-of 'room-graph rooms)) eq?))
+(define (rooms-of who l) (if (list? l) l (error who "rooms must be a list of rooms, as rooms returns it, got ~s" l)))
 
 ; Returns the area within the outer faces of the walls.
 (define (gross-area walls)
@@ -72,4 +74,4 @@
 
 ; Writes name and area of each room into the drawing's views, where the room is widest.
 (define (label-rooms rooms #:view [view any? #f])
-  (for-each (lambda (r) (room-label (room-region r) (format "~a" (room-name r)) #:digits 1 #:view view)) rooms))
+  (for-each (lambda (r) (room-label (room-region r) (format "~a" (room-name r)) #:digits 1 #:view view)) (rooms-of 'label-rooms rooms)))

@@ -48,12 +48,15 @@
   (cond ((eq? rule '2r+t) 0.63) ((or (not rule) (positive-number? rule)) rule)
         (else (error who "rule must be '2r+t (0.63), a length or #f, got ~s" rule))))
 
+(define most-parts 10000) ; of a stair or a railing: a number beyond comes from a slip in a length
+
 ; Returns the number of rises whose treads, of lengths that the procedure goings returns, fit the rule best.
 (define (best-rises who rise rule goings)
   (define (misfit n)
     (let ((found (goings n)))
       (if found (apply max (map (lambda (t) (abs (- (+ (* 2 (/ rise n)) t) (or rule 0.63)))) found)) +inf.0)))
   (let* ((least (max 2 (exact (ceiling (- (/ rise 0.21) 1e-9))))) (most (exact (floor (/ rise 0.14)))) (all (iota (max 1 (- most least -1)) least)) (best (argmin misfit all)))
+    (if (and (not rule) (= (misfit best) +inf.0)) (error who "a rise of ~a is too low for the flights of this stair" (shown rise)))
     (if (> (misfit best) (if rule 0.06 1e300))
         (error who "no number of steps makes twice the rise and the tread ~a, give or take 0.06, for a rise of ~a: move the head, or pass #:rule #f"
           rule (shown rise)))
@@ -135,6 +138,7 @@
   (check-positive 'stair "waist" waist)
   (if (not (memq turn '(left right))) (error 'stair "turn must be 'left or 'right, got ~s" turn))
   (if (<= (cz to) (cz from)) (error 'stair "the foot of the stair must be below its head, got ~s and ~s" from to))
+  (if (> (- (cz to) (cz from)) (* 0.14 most-parts)) (error 'stair "a rise of ~a needs more than ~a steps" (shown (- (cz to) (cz from))) most-parts))
   (let ((rule (rule-of 'stair rule)))
     (case kind
       ((straight) (straight-stair from to width rule waist))
@@ -148,6 +152,7 @@
   (check-point 'ramp "to" to)
   (for-each (lambda (n x) (check-positive 'ramp n x)) '("width" "slope" "thickness") (list width slope thickness))
   (let* ((l (distance (flat from) (flat to))) (rise (- (cz to) (cz from))))
+    (if (< l nearly) (error 'ramp "the ends of the ramp must not lie above each other, got ~s and ~s" from to))
     (if (> (abs rise) (* l (+ slope 1e-9)))
         (error 'ramp "the ramp rises ~a on a length of ~a: a slope of ~a needs ~a" (shown rise) (shown l) slope (shown (/ (abs rise) slope))))
     (let* ((v (way from to)) (side (lambda (p) (aside p v (/ width -2)))) (a (side from)) (b (side to)))
@@ -156,8 +161,9 @@
 (define (railing path #:height [height any? 1] #:spacing [spacing any? 1] #:rails [rails any? 2] #:radius [radius any? 0.02])
   (for-each (lambda (n x) (check-positive 'railing n x)) '("height" "spacing" "radius") (list height spacing radius))
   (if (not (and (exact-integer? rails) (>= rails 0))) (error 'railing "rails must be a whole number of 0 or more, got ~s" rails))
-  (let* ((points (cond ((curve? path) (curve-samples path)) ((and (list? path) (every point? path) (pair? path) (pair? (cdr path))) path)
-                       (else (error 'railing "path must be a curve, or a list of two points or more, got ~s" path))))
+  (let* ((points (without-meeting (cond ((curve? path) (curve-samples path)) ((and (list? path) (every point? path)) path) (else '()))))
+         (long? (or (> (length points) 1) (error 'railing "path must be a curve, or a list of two points or more, got ~s" path)))
+         (few? (or (< (points-length points) (* most-parts spacing)) (error 'railing "a spacing of ~a makes more than ~a posts" spacing most-parts)))
          (corner? (lambda (i) (or (= i 0) (= i (- (length points) 1))
                                   (> (angle-between (p->q (list-ref points (- i 1)) (list-ref points i)) (p->q (list-ref points i) (list-ref points (+ i 1)))) 0.3))))
          (stops (map (lambda (i) (points-length (take points (+ i 1)))) (filter corner? (iota (length points)))))

@@ -75,3 +75,12 @@
 (define wide (frame beam '((1 2)) #:supports '(1) #:sections (tube-section 100 5))) ; expect warning: frame: a section of 1492.25
 (define long (frame (list origin (xyz 3000 0 0)) '((1 2)) #:supports '(1) #:sections tube)) ; expect warning: frame: a member is 3000.0 m long: metres are expected
 ; expect no other warnings
+
+; lists that are no lists, or without an end
+(define ring (list 1 2))
+(set-cdr! (cdr ring) ring)
+(fails (frame beam '((1 2)) #:supports (list ring) #:sections tube))  ; expect: frame: supports must be a list of nodes, or of lists such as (list 1 'pinned), got #0=(1 2 . #0#)
+(fails (frame beam '((1 2)) #:supports '((1 . 2)) #:sections tube))   ; expect: frame: supports must be a list of nodes, or of lists such as (list 1 'pinned), got (1 . 2)
+(fails (frame beam '((1 2)) #:supports '(1) #:sections tube #:loads (list (cons "snow" 3)))) ; expect: frame: loads: a case must be a list of a name and loads, got ("snow" . 3)
+(fails (vibration-modes (frame beam '((1 2)) #:supports '(1) #:sections tube) #:masses '((1 +inf.0)))) ; expect: vibration-modes: masses must be lists of a node and kilograms, got ((1 +inf.0))
+(fails (heat-balance #:outside (iota 12) #:windows 3))                ; expect: heat-balance: windows must be a list, got 3

@@ -35,3 +35,5 @@
 (fails (rooms shell #:names '("bath")))                 ; expect: rooms: names must be lists of a name and a point, got "bath"
 (fails (rooms shell #:names (list (list "a" (xy 9 9))))) ; expect: rooms: no walls enclose (xyz 9 9 0), the place of "a"
 (fails (room-area 3))                                   ; expect: room-area: room must be a room, as rooms returns it, got 3
+(fails (rooms shell #:names 3))                         ; expect: rooms: names must be lists of a name and a point, got 3
+(fails (room-graph 3))                                  ; expect: room-graph: rooms must be a list of rooms, as rooms returns it, got 3

@@ -53,3 +53,9 @@
 (fails (ramp origin (xyz 3 0 1)))                    ; expect: ramp: the ramp rises 1.0 on a length of 3.0: a slope of 0.06 needs 16.6667
 (fails (railing origin))                             ; expect: railing: path must be a curve, or a list of two points or more, got (xyz 0 0 0)
 (fails (railing (list origin (xy 3 0)) #:rails 1/2)) ; expect: railing: rails must be a whole number of 0 or more, got 1/2
+(fails (stair origin (xyz 3 0 1e9)))                 ; expect: stair: a rise of 1000000000.0 needs more than 10000 steps
+(fails (railing (list origin (xy 3 0)) #:spacing 1e-9)) ; expect: railing: a spacing of 1e-9 makes more than 10000 posts
+(fails (stair origin (xyz 4 3 0.1) #:kind 'L #:rule #f)) ; expect: stair: a rise of 0.1 is too low for the flights of this stair
+(fails (ramp origin origin))                         ; expect: ramp: the ends of the ramp must not lie above each other, got (xyz 0 0 0) and (xyz 0 0 0)
+(fails (railing (list origin origin)))               ; expect: railing: path must be a curve, or a list of two points or more, got ((xyz 0 0 0) (xyz 0 0 0))
+(displayln (equal? (railing (list origin origin (xy 3 0))) (railing (list origin (xy 3 0))))) ; expect: #t

@@ -95,3 +95,4 @@
 (fails (opening (opening high 2 1 1) 2.5 1 1))    ; expect: opening: the opening overlaps another one, whose middle is at 2.0
 (fails (window (wall (line 0 0 5 0 5 4)) 5 1 1))  ; expect: window: the opening goes around a corner of the wall
 (fails (opening 3 2 1 1))                         ; expect: opening: wall must be a wall, as wall or join-walls return it, got 3
+(fails (let ((w (wall (line 0 0 5 0)))) (join-walls w w))) ; expect: join-walls: the wall from (xyz 0 0 0) to (xyz 5 0 0) is given twice
