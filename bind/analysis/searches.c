@@ -43,8 +43,8 @@ static vs_search *search_of(vs_args *f) {
   return s;
 }
 
-/* (%search-next search n): returns a list of three values. For a question: the index of the function, whether slopes
- * are asked, and the vector of the n unknowns. At the end: the number of the state below 0, the value, and the best
+/* (%search-next search): returns a list of three values. For a question: the index of the function, whether slopes
+ * are asked, and the vector of the unknowns. At the end: the number of the state below 0, the value, and the best
  * unknowns. */
 vs_status vs_p_search_next(vs_args *f, vs_value *out) {
   vs_search *s = search_of(f);
@@ -53,7 +53,7 @@ vs_status vs_p_search_next(vs_args *f, vs_value *out) {
   vs_search_state state = vs_search_next(s, &q);
   VS_ROOTS(f->vm, r, 2);
   bool asks = state == VS_SEARCH_ASKS;
-  bool ok = vs_bind_give_numbers(f, q.x, (size_t)f->arg[1].integer, &r[0]) && vs_cons(f->vm, r[0], VS_NIL, &r[1]) &&
+  bool ok = vs_bind_give_numbers(f, q.x, q.count, &r[0]) && vs_cons(f->vm, r[0], VS_NIL, &r[1]) &&
             vs_cons(f->vm, asks ? (q.slopes ? VS_TRUE : VS_FALSE) : vs_flonum(q.value), r[1], &r[1]) &&
             vs_cons(f->vm, vs_fix(asks ? (int64_t)q.which : -(int64_t)state), r[1], out);
   return ok ? VS_OK : VS_ERROR;

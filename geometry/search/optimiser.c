@@ -143,7 +143,7 @@ vs_search *vs_search_new(const vs_search_problem *p, vs_error *e) {
 vs_search_state vs_search_next(vs_search *s, vs_search_question *out) {
   pthread_mutex_lock(&s->lock);
   while (s->turn == ANSWERED) pthread_cond_wait(&s->changed, &s->lock);
-  *out = (vs_search_question){ s->which, s->asks_slopes, s->at, s->value };
+  *out = (vs_search_question){ s->which, s->asks_slopes, s->at, s->p.count, s->value };
   bool asks = s->turn == ASKED;
   nlopt_result result = s->result;
   pthread_mutex_unlock(&s->lock);

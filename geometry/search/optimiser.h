@@ -40,6 +40,7 @@ typedef struct {
   size_t which;    /* 0: the function; k: constraint k */
   bool slopes;     /* whether the answer needs the partial derivatives */
   const double *x; /* the unknowns; after the end, the best ones */
+  size_t count;    /* of unknowns */
   double value;    /* after the end: the value for the best unknowns */
 } vs_search_question;
 

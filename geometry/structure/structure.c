@@ -1,6 +1,7 @@
 /* Implements the displacement method: the members' stiffnesses add up to the equations of the nodes (structure.h). */
 #include "geometry/structure/structure.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "geometry/structure/structure_system.h"
@@ -75,6 +76,14 @@ static bool find_movements(const solved *w, const double *loads, vs_error *e) {
   return ok;
 }
 
+/* Returns true if all results are numbers. Very great loads or very small stiffnesses make infinite ones. */
+static bool is_finite(const vs_structure *s, const vs_structure_state *out) {
+  double sum = 0; /* 0 times an infinite number is not a number */
+  for (size_t i = 0; i < s->cases * s->count * VS_WAYS; i++) sum += 0 * out->moved[i] + 0 * out->reactions[i];
+  for (size_t i = 0; i < s->cases * s->member_count * VS_MEMBER_WAYS; i++) sum += 0 * out->ends[i];
+  return isfinite(sum);
+}
+
 vs_structure_outcome vs_structure_solve(const vs_structure *s, vs_structure_state *out, vs_long_work work,
                                         vs_structure_report *report, vs_error *e) {
   solved w = { .system = { .s = s, .loose = out->loose }, .out = out };
@@ -87,6 +96,10 @@ vs_structure_outcome vs_structure_solve(const vs_structure *s, vs_structure_stat
   if (outcome == VS_STRUCTURE_DONE && work.going && !work.going(work.context, 0.8)) outcome = VS_STRUCTURE_STOPPED;
   if (outcome == VS_STRUCTURE_DONE && !find_movements(&w, loads, e)) outcome = VS_STRUCTURE_FAILED;
   for (size_t c = 0; outcome == VS_STRUCTURE_DONE && c < s->cases; c++) find_forces(&w, c, &s->loads[c * ways]);
+  if (outcome == VS_STRUCTURE_DONE && !is_finite(s, out)) {
+    vs_error_set(e, VS_ERROR_MODEL, NULL, "the loads move the frame by more than any number: check their units");
+    outcome = VS_STRUCTURE_FAILED;
+  }
   vs_structure_system_free(&w.system);
   free(loads);
   return outcome;

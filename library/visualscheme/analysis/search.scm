@@ -22,9 +22,9 @@
     (max -1e300 (min 1e300 (inexact v)))))
 
 ; Answers the questions of a search until its end; returns the state's number, the value and the unknowns.
-(define (answer-all search functions n)
+(define (answer-all search functions)
   (let loop ()
-    (let* ((q (core:search-next search n)) (xs (vector->list (third q))))
+    (let* ((q (core:search-next search)) (xs (vector->list (third q))))
       (if (< (first q) 0) (list (first q) (second q) xs)
           (let ((f (vector-ref functions (first q))) (name (if (= (first q) 0) "f" "a constraint")))
             (core:search-answer search (search-value f xs name) (if (second q) (slopes-at f xs) #()))
@@ -48,7 +48,7 @@
       (let* ((most (or steps (if (memq chosen '(crs isres)) (* 5000 n) (* 2000 n))))
              (search (core:search-new (list-index (lambda (m) (eq? m chosen)) methods) (list->vector xs) (list->vector low) (list->vector high)
                        (vector (length constraints) most tolerance)))
-             (end (answer-all search (list->vector (cons f constraints)) n)))
+             (end (answer-all search (list->vector (cons f constraints)))))
         (if (= (first end) -4) (error 'optimise "the search cannot be done by '~a with these bounds" chosen))
         (if (and (= (first end) -2) (memq chosen '(gradient simplex)))
             (warn (format "optimise: ~a evaluations did not suffice; #:steps allows more" most)))

@@ -84,3 +84,6 @@
 (fails (frame beam '((1 2)) #:supports '(1) #:sections tube #:loads (list (cons "snow" 3)))) ; expect: frame: loads: a case must be a list of a name and loads, got ("snow" . 3)
 (fails (vibration-modes (frame beam '((1 2)) #:supports '(1) #:sections tube) #:masses '((1 +inf.0)))) ; expect: vibration-modes: masses must be lists of a node and kilograms, got ((1 +inf.0))
 (fails (heat-balance #:outside (iota 12) #:windows 3))                ; expect: heat-balance: windows must be a list, got 3
+
+; a load beyond all numbers
+(fails (frame-solve (frame beam '((1 2)) #:supports '(1) #:sections tube #:loads (list (list 2 (vxyz 0 0 1e308)))))) ; expect: frame-solve: the loads move the frame by more than any number: check their units
