@@ -70,10 +70,17 @@
 ; ---- sequence, choice, repetition ----
 
 (define-syntax :progn (syntax-rules () ((_) '()) ((_ . body) (begin . body))))
+; (lisp:set! form name value): form is the form that the message names.
+(define-syntax lisp:set!
+  (er-macro-transformer
+    (lambda (form rename compare)
+      (if (symbol? (caddr form))
+          (list (rename 'set!) (caddr form) (cadddr form))
+          (list (rename 'syntax-error) (string-append (cadr form) " sets a variable, and what follows it is no name"))))))
 (define-syntax :setq
   (syntax-rules ()
     ((_) '())
-    ((_ x v) (let ((value v)) (set! x value) value))
+    ((_ x v) (let ((value v)) (lisp:set! "setq" x value) value))
     ((_ x v . more) (begin (:setq x v) (:setq . more)))
     ((_ . other) (syntax-error "setq is written (setq name value ...)"))))
 (define-syntax :if
@@ -103,10 +110,10 @@
   (syntax-rules ()
     ((_ x items . body)
      (let ((all (need-list 'foreach items)) (old x))
-       (lisp:enter! (lambda () (set! x old)))
+       (lisp:enter! (lambda () (lisp:set! "foreach" x old)))
        (let loop ((l all) (value '()))
          (if (pair? l)
-             (begin (set! x (car l)) (loop (cdr l) (:progn . body)))
+             (begin (lisp:set! "foreach" x (car l)) (loop (cdr l) (:progn . body)))
              (begin (lisp:leave!) value)))))
     ((_ . other) (syntax-error "foreach is written (foreach name list body ...)"))))
 
@@ -137,6 +144,7 @@
 ; Returns the function that v is: a procedure, a name that is bound to one, or the data of a lambda.
 (define (function-of who v)
   (cond ((procedure? v) v)
+        ((memq v form-names) (refuse who "a function" v))
         ((and (symbol? v) (not (bound? v))) (error who "~a is not defined" (shown v)))
         ((symbol? v) (let ((f (eval v (interaction-environment)))) (if (procedure? f) f (refuse who "a function" v))))
         ((and (pair? v) (eq? (car v) ':lambda)) (:eval v))

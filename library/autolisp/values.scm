@@ -141,7 +141,8 @@
 (define-syntax real-function
   (syntax-rules () ((_ (name who f) ...) (begin (define (name n) (exact->inexact (f (need-number 'who n)))) ...))))
 (real-function (:sqrt sqrt sqrt) (:sin sin sin) (:cos cos cos) (:exp exp exp) (:log log log))
-(define (:atan a . b) (exact->inexact (if (pair? b) (atan (need-number 'atan a) (need-number 'atan (car b))) (atan (need-number 'atan a)))))
+(define (direction y x) (if (and (= x 0) (= y 0)) 0.0 (exact->inexact (atan y x)))) ; an angle from -pi to pi
+(define (:atan a . b) (direction (need-number 'atan a) (if (pair? b) (need-number 'atan (car b)) 1)))
 (define (:expt a b) (in-range (expt (need-number 'expt a) (need-number 'expt b))))
 (define :pi (acos -1.0))
 

@@ -32,5 +32,6 @@ comment |;
 (show 99999999999.0) (show 999999.9) (show 99999.96) (show 0.0000999999999) (show 1e308) (show (* 1e300 1e300)) (show (rtos 9.99999 1 2)) (show (rtos (* -1e300 1e300)))
 (show (expt 2 -1)) (show (expt 2 10)) (show (atof "1/2")) (show (atoi "#xff")) (show (atof "+inf.0")) (show (atof "-2.5e1")) (show (angle '(1 1) '(1 1)))
 (defun caught (f l) (princ (vl-catch-all-error-message (vl-catch-all-apply f l))) (terpri))
-(caught 'sqrt '(-1)) (caught 'car '(5)) (caught 'rtos '(1.5 2 -1)) (caught 'angtos '(1 0 -1)) (caught 'fix (list (* 1e300 1e300)))
+(show (atan 0 0)) (show (atan -1)) (show (atan 1 -1))
+(caught 'apply '(and (1))) (caught 'sqrt '(-1)) (caught 'car '(5)) (caught 'rtos '(1.5 2 -1)) (caught 'angtos '(1 0 -1)) (caught 'fix (list (* 1e300 1e300)))
 (setq angle 3) (show angle) (show (rem 7 3)) (show (fix 2.9)) (show (max 1 2.0)) (show (= "a" "a")) (show (/= 1 2))
