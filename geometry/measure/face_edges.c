@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "model/store/array.h"
+#include "model/store/disjoint.h"
 
 /* Folds, in radians, from which an edge is sharp: within a round primitive, between primitives of which one is round,
  * and elsewhere. EXACT: deviation from a plane or cylinder, as a part of the face's size. */
@@ -19,11 +20,6 @@ static const double PI = 3.14159265358979323846;
 void vs_mesh_faces_free(vs_mesh_faces *f) {
   free(f->of), free(f->faces), free(f->edges), free(f->at);
   *f = (vs_mesh_faces){ 0 };
-}
-
-static uint32_t root_of(uint32_t *up, uint32_t i) {
-  while (up[i] != i) i = up[i] = up[up[i]];
-  return i;
 }
 
 /* Returns twice the area of triangle t times its unit normal. */
@@ -271,12 +267,6 @@ typedef struct {
   uint32_t *up;    /* the union of triangles that is being made */
 } division;
 
-static void join(uint32_t *up, uint32_t a, uint32_t b) {
-  a = root_of(up, a), b = root_of(up, b);
-  if (a < b) up[b] = a;
-  else up[a] = b;
-}
-
 static bool is_flat(const vs_mesh_edges *s, uint32_t e) { return fabs(angle_at(s, e) - PI) <= FLAT; }
 
 /* Computes the widths of facets: of coplanar triangles, their area by the longest edge around them. */
@@ -287,19 +277,19 @@ static bool widths(division *d) {
   bool ok = VS_FRESH(area, n + 1) && VS_FRESH(longest, n + 1);
   for (uint32_t t = 0; ok && t < n; t++) d->up[t] = t, area[t] = longest[t] = 0;
   for (uint32_t e = 0; ok && e < s->edge_count; e++)
-    if (!d->sharp[e] && is_flat(s, e)) join(d->up, s->edges[e].side[0], s->edges[e].side[1]);
-  for (uint32_t t = 0; ok && t < n; t++) area[root_of(d->up, t)] += vs_v3_length(area_vector(s, t)) / 2;
+    if (!d->sharp[e] && is_flat(s, e)) vs_unite(d->up, s->edges[e].side[0], s->edges[e].side[1]);
+  for (uint32_t t = 0; ok && t < n; t++) area[vs_find(d->up, t)] += vs_v3_length(area_vector(s, t)) / 2;
   for (uint32_t e = 0; ok && e < s->edge_count; e++) {
     const vs_mesh_edge *g = &s->edges[e];
     double l = vs_v3_length(vs_v3_sub(s->m->vertices[g->a], s->m->vertices[g->b]));
     for (int k = 0; k < 2; k++) {
       if (g->side[k] == VS_MESH_NONE || (!d->sharp[e] && is_flat(s, e))) continue;
-      uint32_t r = root_of(d->up, g->side[k]);
+      uint32_t r = vs_find(d->up, g->side[k]);
       longest[r] = fmax(longest[r], l);
     }
   }
   for (uint32_t t = 0; ok && t < n; t++) {
-    uint32_t r = root_of(d->up, t);
+    uint32_t r = vs_find(d->up, t);
     d->width[t] = longest[r] > 0 ? area[r] / longest[r] : 0;
   }
   free(area), free(longest);
@@ -323,9 +313,9 @@ static bool divide(division *d, bool fine, vs_mesh_faces *out) {
   bool ok = VS_FRESH(name, n + 1) && VS_FRESH(out->of, n + 1);
   for (uint32_t t = 0; ok && t < n; t++) d->up[t] = t, name[t] = UINT32_MAX;
   for (uint32_t e = 0; ok && e < s->edge_count; e++)
-    if (!d->sharp[e] && joined(d, e, fine)) join(d->up, s->edges[e].side[0], s->edges[e].side[1]);
+    if (!d->sharp[e] && joined(d, e, fine)) vs_unite(d->up, s->edges[e].side[0], s->edges[e].side[1]);
   for (uint32_t t = 0; ok && t < n; t++) {
-    uint32_t r = root_of(d->up, t);
+    uint32_t r = vs_find(d->up, t);
     if (name[r] == UINT32_MAX) name[r] = (uint32_t)out->face_count++;
     out->of[t] = name[r];
   }

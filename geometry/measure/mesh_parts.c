@@ -7,15 +7,11 @@
 
 #include "geometry/files/polyface.h"
 #include "model/store/array.h"
+#include "model/store/disjoint.h"
 
 void vs_mesh_parts_free(vs_mesh_parts *p) {
   free(p->of);
   *p = (vs_mesh_parts){ 0 };
-}
-
-static uint32_t root_of(uint32_t *up, uint32_t i) {
-  while (up[i] != i) i = up[i] = up[up[i]];
-  return i;
 }
 
 typedef struct {
@@ -86,14 +82,10 @@ bool vs_mesh_parts_find(const vs_mesh *m, vs_mesh_parts *out) {
             VS_FRESH(out->of, m->triangle_count + 1) && VS_FRESH(s, m->triangle_count + 1) &&
             vs_polyface_merge(m->vertices, m->vertex_count, up);
   for (size_t t = 0; ok && t < m->triangle_count; t++)
-    for (int k = 1; k < 3; k++) {
-      uint32_t a = root_of(up, m->triangles[t][0]), b = root_of(up, m->triangles[t][k]);
-      if (a < b) up[b] = a;
-      else up[a] = b;
-    }
+    for (int k = 1; k < 3; k++) vs_unite(up, m->triangles[t][0], m->triangles[t][k]);
   if (ok) memset(name, 0xFF, (m->vertex_count + 1) * sizeof *name);
   for (size_t t = 0; ok && t < m->triangle_count; t++) {
-    uint32_t a = root_of(up, m->triangles[t][0]);
+    uint32_t a = vs_find(up, m->triangles[t][0]);
     if (name[a] == UINT32_MAX) {
       s[shells] = (shell){ .box = vs_bounds_empty(), .joins = shells, .first = (uint32_t)t };
       name[a] = shells++;

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "model/store/array.h"
+#include "model/store/disjoint.h"
 
 enum { PARTS_MOST = 24, TRIANGLES_MOST = 2000000 };
 
@@ -19,11 +20,6 @@ typedef struct {
   vs_vec3 (*handle)[2]; /* for each edge: the control points near its ends a and b */
   uint32_t *first;     /* for each edge: its first new vertex, from a to b */
 } smoothing;
-
-static uint32_t root_of(uint32_t *up, uint32_t i) {
-  while (up[i] != i) i = up[i] = up[up[i]];
-  return i;
-}
 
 static int corner_at(const vs_mesh_edges *s, uint32_t t, uint32_t v) {
   return vs_mesh_edges_corner(s, t, 0) == v ? 0 : vs_mesh_edges_corner(s, t, 1) == v ? 1 : 2;
@@ -45,9 +41,7 @@ static void find_normals(smoothing *w, double sharp) {
     w->sharp[e] = u == VS_MESH_NONE || vs_v3_dot(normal_of(s, t), normal_of(s, u)) < cos(sharp);
     for (int k = 0; k < 2; k++) {
       if (!w->sharp[e]) {
-        uint32_t a = root_of(w->up, 3 * t + (uint32_t)corner_at(s, t, ends[k])),
-                 b = root_of(w->up, 3 * u + (uint32_t)corner_at(s, u, ends[k]));
-        w->up[b] = a;
+        vs_unite(w->up, 3 * t + (uint32_t)corner_at(s, t, ends[k]), 3 * u + (uint32_t)corner_at(s, u, ends[k]));
         continue;
       }
       vs_vec3 d = vs_v3_unit(vs_v3_sub(p[ends[!k]], p[ends[k]]));
@@ -58,7 +52,7 @@ static void find_normals(smoothing *w, double sharp) {
     int k = (int)(i % 3);
     vs_vec3 at = vs_mesh_edges_place(s, i / 3, k), u = vs_v3_sub(vs_mesh_edges_place(s, i / 3, (k + 1) % 3), at),
             v = vs_v3_sub(vs_mesh_edges_place(s, i / 3, (k + 2) % 3), at), n = vs_v3_cross(u, v);
-    uint32_t r = root_of(w->up, i);
+    uint32_t r = vs_find(w->up, i);
     w->normal[r] = vs_v3_add(w->normal[r], vs_v3_scale(vs_v3_unit(n), atan2(vs_v3_length(n), vs_v3_dot(u, v))));
   }
 }
@@ -70,7 +64,7 @@ static vs_vec3 handle_at(smoothing *w, size_t e, uint32_t v) {
   if (w->sharp[e]) {
     if (w->creases[v] == 2) t = vs_v3_dot(w->along[v], d) < 0 ? vs_v3_scale(w->along[v], -1) : w->along[v];
   } else {
-    vs_vec3 n = vs_v3_unit(w->normal[root_of(w->up, 3 * g->side[0] + (uint32_t)corner_at(w->s, g->side[0], v))]);
+    vs_vec3 n = vs_v3_unit(w->normal[vs_find(w->up, 3 * g->side[0] + (uint32_t)corner_at(w->s, g->side[0], v))]);
     t = vs_v3_sub(d, vs_v3_scale(n, vs_v3_dot(n, d)));
   }
   t = vs_v3_unit(t);
