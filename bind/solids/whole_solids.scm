@@ -1,11 +1,11 @@
 ; Operations on whole solids: parts, pieces, holes, threads, relief. After flattening.scm. Names that begin with % are
 ; hidden from programs. Compiled into the binary when it is built.
 
-; Returns the object, or the union of a list, which must be a solid or empty.
+; Returns the object, or the union of a list, which must be a solid or empty, with users' kinds drawn.
 (define (%solid-given who name x)
   (let ((o (if (and (pair? x) (list? x) (every object? x)) (unite x) x)))
     (if (not (and (object? o) (or (solid? o) (empty-object? o)))) (error who "~a must be a solid, got ~s" name x))
-    o))
+    (%drawn o)))
 
 (define (%need-above-0 who name x)
   (if (not (and (real? x) (finite? x) (positive? x))) (error who "~a must be a number and positive, got ~s" name x)))

@@ -21,7 +21,11 @@
 (for ([f (list (lambda (o) (map area (slices o 1))) (lambda (o) (map length (contours o #:step 1)))
                (lambda (o) (call-with-values (lambda () (ribs o #:x 2 #:y 1 #:thickness 1/10)) (lambda (a b) (list (length a) (length b)))))
                (lambda (o) (map area (unfold o))) (lambda (o) (count o drawn)) part-size (lambda (o) (closest-point o (xyz 9 9 9)))
-               (lambda (o) (cut-list o #:digits 6))
+               (lambda (o) (cut-list o #:digits 6)) (lambda (o) (area (do-section o 'xz))) do-edges lowered
+               (lambda (o) (volume (minkowski o o))) (lambda (o) (object-count (simplify o 1/10))) (lambda (o) (volume (refine o 1)))
+               (lambda (o) (volume (do-smooth o #:sharp 1))) (lambda (o) (map face-area (solid-faces o)))
+               (lambda (o) (map volume (split o (make-plane (xyz 0 0 1) uz)))) (lambda (o) (volume (do-shell o 1/10)))
+               (lambda (o) (volume (do-fillet o 1/10)))
                (lambda (o) (solar-hours (xyz 1 -1 0) uz #:latitude 50 #:date "2026-06-21" #:among o)))]
       [i (in-naturals)])
   (if (not (agree f)) (printf "measure ~a differs: ~s ~s~%" i (f (make-stone 2)) (f drawn))))
