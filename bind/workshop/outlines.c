@@ -287,8 +287,8 @@ static bool add_engraved(vs_args *f, const vs_outline *o, const vs_outline *abov
   return ok;
 }
 
-/* (%slices-middle region): returns the centre and the radius of the largest circle within the region, or #f. */
-vs_status vs_p_slices_middle(vs_args *f, vs_value *out) {
+/* (%largest-circle region): returns the centre and the radius of the largest circle within the region, or #f. */
+vs_status vs_p_largest_circle(vs_args *f, vs_value *out) {
   vs_outline o = { 0 };
   vs_area a = { 0 };
   vs_error e = { 0 };
@@ -301,7 +301,7 @@ vs_status vs_p_slices_middle(vs_args *f, vs_value *out) {
   vs_fineness facets = vs_bend_facets(f->vm, n);
   bool ok = vs_region_outline(n, &facets, &o, &e) || vs_bind_error(f->vm, &e);
   ok = ok && (!o.count || vs_area_of_outline(&o, &o.frame, &a) || vs_fail_memory(f->vm));
-  ok = ok && (vs_area_middle(&a, "slices", &at, &radius, &e) || vs_bind_error(f->vm, &e));
+  ok = ok && (vs_area_middle(&a, "largest circles", &at, &radius, &e) || vs_bind_error(f->vm, &e));
   VS_ROOTS(f->vm, r, 1);
   if (ok && radius > 0)
     ok = vs_bind_give_point(f, vs_affine_point(&o.frame, vs_v3(at.x, at.y, 0)), &r[0]) &&

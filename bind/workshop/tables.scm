@@ -173,7 +173,7 @@
 ; Returns the point of a region that is furthest from its border.
 (define (region-middle o)
   (if (not (region? o)) (error 'region-middle "o must be a region, got ~s" o))
-  (let ((middle (%slices-middle o))) (if middle (car middle) (error 'region-middle "o has no area"))))
+  (let ((middle (%largest-circle o))) (if middle (car middle) (error 'region-middle "o has no area"))))
 
 ; Writes the name of a room and its area in square metres into drawings, where the room is widest.
 (define (room-label region name #:digits [digits any? 2] #:view [view any? #f])

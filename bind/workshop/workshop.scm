@@ -106,7 +106,7 @@
   ; Returns the middles of the largest circles of at least this radius, at most n of them, apart from those given.
   (define (found-in common given n)
     (let* ((free (if (null? given) common (subtract common (map room given))))
-           (best (and (> n 0) (%slices-middle free))))
+           (best (and (> n 0) (%largest-circle free))))
       (if (and best (>= (cdr best) reach))
           (cons (car best) (found-in common (cons (car best) given) (- n 1)))
           '())))
@@ -142,7 +142,7 @@
             (define (pin p)
               (make-region (if (eq? registration 'dowels) (make-circle p (/ wide 2) #:plane plane) (make-regular-polygon p (/ wide (sqrt 2)) 4 pi/4 #:plane plane))))
             (define (number i region)
-              (let ((place (and numbers (%slices-middle region))))
+              (let ((place (and numbers (%largest-circle region))))
                 (if place
                     (outline (make-text (car place) (min (* 2 thickness) (* 0.8 (cdr place))) (number->string i) #:align 'center #:valign 'center #:plane plane))
                     '())))
@@ -162,7 +162,7 @@
 
 ; Returns the flat part of a rib: its region to cut and its name to engrave.
 (define (%rib-part o name region numbers size placed flat plane)
-  (let* ((middle (and numbers (%slices-middle region)))
+  (let* ((middle (and numbers (%largest-circle region)))
          (cut (layer (or (%whole-layer o) "cut") region))
          (part (if middle
                    (layer name cut
