@@ -23,7 +23,7 @@
 (define (face-area f) (%need-face 'face-area f) (%face-value f 1))
 (define (face-normal f)
   (%need-face 'face-normal f)
-  (if (not (%face-plane? f)) (error (quote face-normal) "f must be a plane face; this one is curved"))
+  (if (not (%face-plane? f)) (error 'face-normal "f must be a plane face; this one is curved"))
   (%face-direction f))
 (define (face-origin f) (%need-face 'face-origin f) (and (%face-value f 5) (object-origin (%face-value f 5))))
 

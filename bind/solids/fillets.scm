@@ -276,7 +276,7 @@
 ; Concave edges are filled first; then the convex edges of the result are found anew.
 (define (%worked who kind o size name edges)
   (let* ((o (%solid-given who 'o o)) (select (if edges (%selector who 'edges edges) (lambda (e) #t))) (found #f))
-    (%need-above-0 who name size)
+    (%need-positive who name size)
     (define (step o convex)
       (let ((chosen (%chosen who o select convex)))
         (if (null? (cdr chosen))

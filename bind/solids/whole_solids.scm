@@ -7,9 +7,6 @@
     (if (not (and (object? o) (or (solid? o) (empty-object? o)))) (error who "~a must be a solid, got ~s" name x))
     (%drawn o)))
 
-(define (%need-above-0 who name x)
-  (if (not (and (real? x) (finite? x) (positive? x))) (error who "~a must be a number and positive, got ~s" name x)))
-
 ; ---- parts that do not touch ----
 
 ; Returns the union of a list of solids, or its one solid.
@@ -91,8 +88,8 @@
 (define (make-hole p v d depth #:counterbore [counterbore any? #f] #:countersink [countersink any? #f] #:segments [segments any? #f])
   (%need-point 'make-hole 'p p)
   (if (not (and (gvector? v) (> (vlength v) 0))) (error 'make-hole "v must be a gvector longer than 0, got ~s" v))
-  (%need-above-0 'make-hole 'd d)
-  (%need-above-0 'make-hole 'depth depth)
+  (%need-positive 'make-hole 'd d)
+  (%need-positive 'make-hole 'depth depth)
   (%need-segments 'make-hole segments)
   (let ((u (unitize v)))
     (define (at s) (p+v p (v*r u s)))
@@ -128,9 +125,9 @@
 ; The basic profile of ISO 68-1: flanks at 60 degrees, flat over an eighth of the pitch at the crest and a quarter at the
 ; root. The surface is a strip of four facets a pitch; turn follows turn.
 (define (thread d pitch length #:standard [standard any? 'metric] #:segments [segments any? #f])
-  (%need-above-0 'thread 'd d)
-  (%need-above-0 'thread 'pitch pitch)
-  (%need-above-0 'thread 'length length)
+  (%need-positive 'thread 'd d)
+  (%need-positive 'thread 'pitch pitch)
+  (%need-positive 'thread 'length length)
   (%need-segments 'thread segments)
   (if (not (eq? standard 'metric)) (error 'thread "standard must be 'metric, got ~s" standard))
   (let* ((high (* (/ 5 8) (/ (sqrt 3) 2) pitch)) (r (/ d 2)) (root (- r high)) (n (or segments (%turn-facets r)))
@@ -138,7 +135,7 @@
     (if (<= root 0) (error 'thread "d must exceed ~a, the threads' depth on both sides, got ~a" (* 2 high) d))
     (if (> rows 200000) (error 'thread "the thread has ~a turns of ~a facets, and 200000 facets are the most; give fewer #:segments" turns n))
     ; the four points of a pitch at row i, from the beginning of the root's flat upwards
-    (let* ((step (/ pitch n)) (low (- 0 (* 2 pitch)))
+    (let* ((step (/ pitch n)) (low (* -2 pitch))
            (radii (list root root r r)) (heights (map (lambda (k) (* k pitch)) '(0 1/4 9/16 11/16)))
            (row (lambda (i)
                   (let ((phi (* 2 pi (/ (modulo i n) n))) (z (+ low (* i step))))
@@ -218,7 +215,7 @@
          (size (distance (first (bounding-box c)) (second (bounding-box c)))))
     (cond
       ((< (vlength n) (* 1e-6 size size)) (if (%parallel? uz (curve-tangent c 0)) (vxyz 0 -1 0) uz))
-      ((< (+ (cz n) (* 1e-6 (vlength n)) 0) 0) (v*r (unitize n) -1))
+      ((< (cz n) (* -1e-6 (vlength n))) (v*r (unitize n) -1))
       (else (unitize n)))))
 
 ; Letters bent onto a surface of rows of points: along its rows' direction, in the middle.
@@ -248,7 +245,7 @@
 
 (define (text-on o string size)
   (if (not (string? string)) (error 'text-on "string must be a string, got ~s" string))
-  (%need-above-0 'text-on 'size size)
+  (%need-positive 'text-on 'size size)
   (cond
     ((and (object? o) (curve? o)) (%text-on-curve o string size))
     ((and (object? o) (surface? o)) (%text-on-surface o string size))

@@ -43,6 +43,15 @@
   (or (memq c %schedule-keys) (memq c %schedule-sums) (procedure? c)
       (and (pair? c) (or (string? (car c)) (symbol? (car c))) (procedure? (cdr c)))))
 
+(define (%column-head c) (cond ((pair? c) (car c)) ((procedure? c) 'value) (else c)))
+
+(define (%need-digits who digits)
+  (if (not (and (exact-integer? digits) (<= 0 digits 15))) (error who "digits must be an exact integer from 0 to 15, got ~s" digits)))
+
+; Returns a real number rounded to so many decimals; exact integers, other values, and without digits all, unchanged.
+(define (%rounded x digits)
+  (if (and digits (real? x) (not (exact-integer? x))) (let ((power (expt 10. digits))) (/ (round (* x power)) power)) x))
+
 (define (%need-rates rates)
   (if (not (and (list? rates)
                 (every (lambda (r) (and (list? r) (= (length r) 3) (or (string? (car r)) (symbol? (car r)))
@@ -62,9 +71,7 @@
   (%need-rates rates)
   (if (not (and (list? densities) (every (lambda (d) (and (pair? d) (real? (cdr d)))) densities)))
       (error 'schedule "densities must be a list of (material . density), such as (\"oak\" . 700), got ~s" densities))
-  (if (not (or (not digits) (and (exact-integer? digits) (<= 0 digits 15)))) (error 'schedule "digits must be an exact integer from 0 to 15, got ~s" digits))
-  (define (rounded x)
-    (if (and digits (real? x) (not (exact-integer? x))) (let ((power (expt 10. digits))) (/ (round (* x power)) power)) x))
+  (if digits (%need-digits 'schedule digits))
   (define (sum? c) (memq c %schedule-sums))
   (define (mass o looks)
     (let* ((name (caddr looks)) (own (assoc name densities (lambda (a b) (equal? a (%schedule-text b))))) (known (assoc name %densities)))
@@ -96,13 +103,13 @@
                (key (filter-map (lambda (x key?) (and key? (list x))) cells keys?)) (old (hash-ref rows key #f)))
           (hash-set! rows key (if old (map (lambda (x y key?) (if key? x (+ x y))) old cells keys?) cells))))
       (%schedule-objects objects))
-    (let* ((made (map cdr (hash->list rows))) (head (map (lambda (c) (cond ((pair? c) (car c)) ((procedure? c) 'value) (else c))) columns)))
+    (let* ((made (map cdr (hash->list rows))) (head (map %column-head columns)))
       (define (total-of i) (apply + (map (lambda (row) (list-ref row i)) made)))
       (append
         (list head)
-        (map (lambda (row) (map rounded row)) made)
+        (map (lambda (row) (map (lambda (x) (%rounded x digits)) row)) made)
         (if total
-            (list (map (lambda (i key?) (if key? (if (= i 0) "total" "") (rounded (total-of i)))) (iota (length columns)) keys?))
+            (list (map (lambda (i key?) (if key? (if (= i 0) "total" "") (%rounded (total-of i) digits))) (iota (length columns)) keys?))
             '())))))
 
 ; ---- parts and their numbers ----
@@ -143,15 +150,13 @@
 
 ; Returns rows: a head, then a row for each set of equal parts: their mark, their number, and the other columns.
 (define (cut-list parts #:digits [digits any? #f] #:tolerance [tolerance any? 1e-6] #:densities [densities any? '()] . columns)
-  (if (not (or (not digits) (and (exact-integer? digits) (<= 0 digits 15)))) (error 'cut-list "digits must be an exact integer from 0 to 15, got ~s" digits))
+  (if digits (%need-digits 'cut-list digits))
   (for-each (lambda (c)
-              (if (not (or (memq c '(mark count)) (memq c %cut-sizes) (%schedule-column? c)))
+              (if (not (or (memq c '(mark count)) (memq c %cut-sizes) (and (not (eq? c 'cost)) (%schedule-column? c))))
                   (error 'cut-list "a column is one of ~s, a procedure of an object, or a pair of a name and a procedure, got ~s"
                          (append '(mark count) %cut-sizes '(name layer material area volume mass)) c)))
             columns)
   (let ((columns (if (null? columns) '(mark count length width thickness) columns)))
-    (define (rounded x)
-      (if (and digits (real? x) (not (exact-integer? x))) (let ((power (expt 10. digits))) (/ (round (* x power)) power)) x))
     (define (cell c group number size)
       (cond
         ((eq? c 'mark) (%part-mark number))
@@ -160,12 +165,12 @@
         (else
           (let ((cells (map car (cdr (schedule (car group) c #:densities densities)))))
             (if (memq c %schedule-sums) (apply + cells) (car cells))))))
-    (cons (map (lambda (c) (cond ((pair? c) (car c)) ((procedure? c) 'value) (else c))) columns)
+    (cons (map %column-head columns)
           (let loop ((groups (%groups-of 'cut-list parts tolerance)) (number 0))
             (if (null? groups)
                 '()
                 (let ((size (part-size (caar groups))))
-                  (cons (map (lambda (c) (rounded (cell c (car groups) number size))) columns)
+                  (cons (map (lambda (c) (%rounded (cell c (car groups) number size) digits)) columns)
                         (loop (cdr groups) (+ number 1)))))))))
 
 ; ---- rooms ----
@@ -179,7 +184,7 @@
 (define (room-label region name #:digits [digits any? 2] #:view [view any? #f])
   (if (not (region? region)) (error 'room-label "region must be a region, got ~s" region))
   (if (not (string? name)) (error 'room-label "name must be a string, got ~s" name))
-  (if (not (and (exact-integer? digits) (<= 0 digits 15))) (error 'room-label "#:digits must be an exact integer from 0 to 15, got ~s" digits))
+  (%need-digits 'room-label digits)
   (let ((text (string-append name "  " (%fixed-text (* (area region) (expt (cadddr (%schedule-looks region)) 2)) digits) " m²")))
     (if view (label (region-middle region) text #:view view) (label (region-middle region) text))))
 
@@ -206,7 +211,7 @@
   (if (not (and (list? rows) (pair? rows) (every list? rows) (pair? (car rows))))
       (error 'sheet-table "rows must be a list of lists, such as those of schedule, got ~s" rows))
   (if (not (string? title)) (error 'sheet-table "#:title must be a string, got ~s" title))
-  (if (not (and (exact-integer? digits) (<= 0 digits 15))) (error 'sheet-table "#:digits must be an exact integer from 0 to 15, got ~s" digits))
+  (%need-digits 'sheet-table digits)
   (let ((columns (apply max (map length rows))))
     (define (padded row) (append row (make-list (- columns (length row)) "")))
     (%sheet-table (string-join (map (lambda (x) (%table-text x digits)) (append-map padded rows)) (string #\x1f)) columns

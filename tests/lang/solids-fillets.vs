@@ -88,8 +88,8 @@
 (displayln (>= (count-of 'done) (* 9 (count-of 'said))))                                         ; expect: #t
 
 ; ---- bad arguments ----
-(fails (do-fillet brick 0))       ; expect: do-fillet: r must be a number and positive, got 0
-(fails (do-chamfer brick -1))     ; expect: do-chamfer: d must be a number and positive, got -1
+(fails (do-fillet brick 0))       ; expect: do-fillet: r must be a positive number, got 0
+(fails (do-chamfer brick -1))     ; expect: do-chamfer: d must be a positive number, got -1
 (fails (do-fillet 1 1))           ; expect: do-fillet: o must be a solid, got 1
 (fails (do-fillet brick 1 #:edges 5)) ; expect: do-fillet: edges must be a selector, such as (edges-along 'z), or a list, got 5
 (fails (do-fillet brick 1 #:edges (edges-along (vxyz 1 1 0)))) ; expect: do-fillet: edges selects no edge of o

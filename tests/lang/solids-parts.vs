@@ -95,7 +95,7 @@
 (fails (make-hole origin down 2 5 #:counterbore '(1 1)))     ; expect: make-hole: counterbore's diameter must exceed d, 2, got 1
 (fails (make-hole origin down 2 5 #:counterbore '(3 6)))     ; expect: make-hole: counterbore is 6 deep, and the hole 5
 (fails (make-hole origin down 2 5 #:countersink 3))          ; expect: make-hole: countersink must be (list diameter angle) of positive numbers, got 3
-(fails (make-hole origin down 0 5))                          ; expect: make-hole: d must be a number and positive, got 0
+(fails (make-hole origin down 0 5))                          ; expect: make-hole: d must be a positive number, got 0
 
 ; ---- threads: the section of the basic profile, turned ----
 (define (thread-volume d pitch length)

@@ -75,6 +75,7 @@
 (fails (schedule (with-material 'oak (wall 1)) 'mass))     ; expect: schedule: there is no density of "oak": #:densities '(("oak" . 700)) gives one
 (fails (schedule walls 'cost #:rates '((brick 3))))        ; expect: schedule: rates must be a list of (name measure rate), such as ("concrete" volume 180), got ((brick 3))
 (fails (schedule walls 'count #:digits -1))                ; expect: schedule: digits must be an exact integer from 0 to 15, got -1
+(fails (cut-list walls 'mark 'cost))                        ; expect: cut-list: a column is one of (mark count length width thickness name layer material area volume mass), a procedure of an object, or a pair of a name and a procedure, got cost
 (fails (write-csv 3 '()))                                  ; expect: write-csv: expected a string, got 3
 (fails (write-csv "a.csv" '(1)))                           ; expect: write-csv: rows must be a list of lists, got (1)
 (fails (write-csv "/nowhere/at/all.csv" '((1))))           ; expect: open-output-file: cannot open /nowhere/at/all.csv: no such file
