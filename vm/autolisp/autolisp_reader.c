@@ -14,6 +14,7 @@
 #include "vm/autolisp/autolisp_reader.h"
 #include "vm/front/environment.h"
 #include "vm/front/reader.h"
+#include "vm/front/text_cursor.h"
 #include "vm/numbers/number.h"
 #include "vm/values/heap.h"
 #include "vm/values/text.h"
@@ -30,28 +31,19 @@ enum { OPEN, ASSIGNED, MENTIONED, DATUM, ROOTS };
 
 typedef struct {
   vs_scheme *vm;
-  const char *text;
-  size_t size, at;
-  uint32_t file, line, col;
+  vs_text_cursor from;
   level *levels;
   size_t depth, room;
   vs_value *work;
 } reader;
 
-static vs_pos place(const reader *r) { return vs_pos_make(r->file, r->line, r->col); }
-static int peek(const reader *r, size_t ahead) {
-  return r->at + ahead < r->size ? (unsigned char)r->text[r->at + ahead] : -1;
-}
+static vs_pos place(const reader *r) { return vs_cursor_place(&r->from); }
+static int peek(const reader *r, size_t ahead) { return vs_cursor_peek(&r->from, ahead); }
+static void advance(reader *r, size_t bytes) { vs_cursor_advance(&r->from, bytes); }
+
 
 static bool refuse(reader *r, vs_pos pos, const char *message) {
   return vs_fail_at(r->vm, r->vm->sym.read, pos, VS_NIL, "%s", message);
-}
-
-static void advance(reader *r, size_t bytes) {
-  for (; bytes--; r->at++) {
-    if (r->text[r->at] == '\n' || (r->text[r->at] == '\r' && peek(r, 1) != '\n')) r->line++, r->col = 1;
-    else r->col += ((unsigned char)r->text[r->at] & 0xC0) != 0x80;
-  }
 }
 
 /* Skips blanks and comments: ; to the end of the line, and ;| to |; . */
@@ -61,11 +53,11 @@ static bool skip(reader *r) {
     if (c == ';' && peek(r, 1) == '|') {
       vs_pos pos = place(r);
       advance(r, 2);
-      while (r->at < r->size && !(peek(r, 0) == '|' && peek(r, 1) == ';')) advance(r, 1);
-      if (r->at == r->size) return refuse(r, pos, "this comment is never closed: |; is missing");
+      while (r->from.at < r->from.size && !(peek(r, 0) == '|' && peek(r, 1) == ';')) advance(r, 1);
+      if (r->from.at == r->from.size) return refuse(r, pos, "this comment is never closed: |; is missing");
       advance(r, 2);
     } else if (c == ';') {
-      while (r->at < r->size && peek(r, 0) != '\n' && peek(r, 0) != '\r') advance(r, 1);
+      while (r->from.at < r->from.size && peek(r, 0) != '\n' && peek(r, 0) != '\r') advance(r, 1);
     } else if (c >= 0 && c <= ' ') {
       advance(r, 1);
     } else {
@@ -219,11 +211,11 @@ static bool read_number(reader *r, size_t n, bool whole, vs_pos pos) {
   size_t plus = peek(r, 0) == '+';
   vs_text t;
   vs_text_open(r->vm, &t, 0);
-  bool ok = vs_read_number(r->vm, r->text + r->at + plus, n - plus, pos, &r->work[DATUM]);
+  bool ok = vs_read_number(r->vm, r->from.text + r->from.at + plus, n - plus, pos, &r->work[DATUM]);
   vs_value v = r->work[DATUM];
   bool small = vs_is_fixnum(v) && vs_fixnum(v) <= INT32_MAX && vs_fixnum(v) >= INT32_MIN;
   if (ok && whole && !small)
-    ok = vs_text_put(&t, r->text + r->at + plus, n - plus) && vs_text_puts(&t, ".0") &&
+    ok = vs_text_put(&t, r->from.text + r->from.at + plus, n - plus) && vs_text_puts(&t, ".0") &&
          vs_read_number(r->vm, t.at, t.count, pos, &r->work[DATUM]);
   vs_text_close(&t);
   if (ok && !vs_is_number(r->work[DATUM])) return refuse(r, pos, "this is no number in the allowed range");
@@ -236,7 +228,7 @@ static bool read_name(reader *r, size_t n, vs_pos pos) {
   vs_text_open(r->vm, &t, 0);
   bool ok = vs_text_puts(&t, ":");
   for (size_t i = 0; ok && i < n; i++) {
-    char c = r->text[r->at + i];
+    char c = r->from.text[r->from.at + i];
     if (c >= 'A' && c <= 'Z') c = (char)(c - 'A' + 'a');
     ok = vs_text_put(&t, &c, 1);
   }
@@ -261,7 +253,7 @@ static bool read_atom(reader *r, vs_pos pos) {
   size_t n = 0;
   bool whole;
   while (!ends_atom(peek(r, n))) n++;
-  const char *s = r->text + r->at;
+  const char *s = r->from.text + r->from.at;
   if (n == 1 && *s == '.') return read_dot(r, pos);
   return is_number(s, n, &whole) ? read_number(r, n, whole, pos) : read_name(r, n, pos);
 }
@@ -304,7 +296,7 @@ static bool read_string(reader *r, vs_pos pos) {
   advance(r, 1);
   bool ok = true;
   while (ok && peek(r, 0) >= 0 && peek(r, 0) != '"') {
-    char c = r->text[r->at];
+    char c = r->from.text[r->from.at];
     advance(r, 1);
     ok = c == '\\' ? read_escape(r, &t) : vs_text_put(&t, &c, 1);
   }
@@ -346,7 +338,7 @@ static bool names(reader *r, vs_value table, vs_value known, vs_value *out) {
 static bool begin(reader *r, vs_value rest, vs_value *out) {
   vs_scheme *vm = r->vm;
   static const char text[] = "(import (autolisp))";
-  vs_pos pos = vs_pos_make(r->file, 1, 1);
+  vs_pos pos = vs_pos_make(r->from.file, 1, 1);
   VS_ROOTS(vm, p, 3);
   p[2] = rest;
   return names(r, r->work[MENTIONED], r->work[ASSIGNED], &p[0]) && vs_cons_at(vm, p[0], VS_NIL, pos, &p[1]) &&
@@ -369,11 +361,11 @@ bool vs_autolisp_read(vs_scheme *vm, const char *text, size_t size, uint32_t fil
   if (!vs_check_utf8(vm, text, size, file, line)) return false;
   VS_ROOTS(vm, p, ROOTS);
   for (int i = 0; i < ROOTS; i++) p[i] = VS_NIL;
-  reader r = { .vm = vm, .text = text, .size = size, .file = file, .line = line, .col = 1, .work = p };
+  reader r = { .vm = vm, .from = { .text = text, .size = size, .file = file, .line = line, .col = 1 }, .work = p };
   bool ok = vs_idtable_new(vm, &p[ASSIGNED]) && vs_idtable_new(vm, &p[MENTIONED]) &&
             open_list(&r, LIST, vs_pos_make(file, line, 1));
-  if (ok && size >= 3 && !memcmp(text, "\xEF\xBB\xBF", 3)) r.at = 3;
-  while (ok && (ok = skip(&r)) && r.at < size) ok = read_token(&r);
+  if (ok && size >= 3 && !memcmp(text, "\xEF\xBB\xBF", 3)) r.from.at = 3;
+  while (ok && (ok = skip(&r)) && r.from.at < size) ok = read_token(&r);
   ok = ok && finish(&r) && begin(&r, vs_cdr(vs_car(vs_car(p[OPEN]))), forms);
   if (r.levels) vs_mem(vm, r.levels, r.room * sizeof *r.levels, 0);
   return ok;

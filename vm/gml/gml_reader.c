@@ -15,6 +15,7 @@
 #include "vm/gml/gml_reader.h"
 #include "vm/front/environment.h"
 #include "vm/front/reader.h"
+#include "vm/front/text_cursor.h"
 #include "vm/numbers/number.h"
 #include "vm/values/heap.h"
 #include "vm/values/text.h"
@@ -30,18 +31,16 @@ typedef struct { vs_pos pos, literals; bool usereg; } level;
 
 typedef struct {
   vs_scheme *vm;
-  const char *text;
-  size_t size, at;
-  uint32_t file, line, col;
+  vs_text_cursor from;
   level *levels;
   size_t depth, room;
   vs_value *work;          /* a root of the garbage collector: the vector of the innermost open braces */
 } reader;
 
-static vs_pos place(const reader *r) { return vs_pos_make(r->file, r->line, r->col); }
-static int peek(const reader *r, size_t ahead) {
-  return r->at + ahead < r->size ? (unsigned char)r->text[r->at + ahead] : -1;
-}
+static vs_pos place(const reader *r) { return vs_cursor_place(&r->from); }
+static int peek(const reader *r, size_t ahead) { return vs_cursor_peek(&r->from, ahead); }
+static void advance(reader *r, size_t bytes) { vs_cursor_advance(&r->from, bytes); }
+
 static vs_value slot(const reader *r, int which) { return vs_as_vector(*r->work)->at[which]; }
 static void set_slot(reader *r, int which, vs_value v) {
   vs_vector *work = vs_as_vector(*r->work);
@@ -52,17 +51,10 @@ static bool refuse(reader *r, vs_pos pos, const char *message) {
   return vs_fail_at(r->vm, r->vm->sym.read, pos, VS_NIL, "%s", message);
 }
 
-static void advance(reader *r, size_t bytes) {
-  for (; bytes--; r->at++) {
-    if (r->text[r->at] == '\n' || (r->text[r->at] == '\r' && peek(r, 1) != '\n')) r->line++, r->col = 1;
-    else r->col += ((unsigned char)r->text[r->at] & 0xC0) != 0x80;
-  }
-}
-
 static void skip(reader *r) {
   for (;;) {
     int c = peek(r, 0);
-    if (c == '%') while (r->at < r->size && peek(r, 0) != '\n' && peek(r, 0) != '\r') advance(r, 1);
+    if (c == '%') while (r->from.at < r->from.size && peek(r, 0) != '\n' && peek(r, 0) != '\r') advance(r, 1);
     else if (c >= 0 && c <= ' ') advance(r, 1);
     else return;
   }
@@ -154,7 +146,8 @@ static bool read_register(reader *r, int mark, vs_pos pos) {
   if (!n) return refuse(r, pos, mark == '!' ? "a register is set by !name" : "a register is read by :name");
   vs_text t;
   vs_text_open(r->vm, &t, 0);
-  bool ok = vs_text_puts(&t, "!") && vs_text_put(&t, r->text + r->at + 1, n) && vs_intern(r->vm, t.at, t.count, &p[0]);
+  bool ok = vs_text_puts(&t, "!") && vs_text_put(&t, r->from.text + r->from.at + 1, n) &&
+      vs_intern(r->vm, t.at, t.count, &p[0]);
   vs_text_close(&t);
   if (!ok || !flush(r) || !know_register(r, &p[0]) || !quoted(r, &p[0], pos, &p[1])) return false;
   advance(r, n + 1);
@@ -274,7 +267,7 @@ static size_t number_length(const reader *r, size_t from) {
 
 static bool read_number(reader *r, size_t n, vs_pos pos, vs_value *out) {
   size_t plus = peek(r, 0) == '+';
-  if (!vs_read_number(r->vm, r->text + r->at + plus, n - plus, pos, out)) return false;
+  if (!vs_read_number(r->vm, r->from.text + r->from.at + plus, n - plus, pos, out)) return false;
   if (!vs_is_number(*out)) return refuse(r, pos, "this is no number in the allowed range");
   advance(r, n);
   return true;
@@ -314,7 +307,7 @@ static bool read_string(reader *r, vs_pos pos) {
   bool ok = true;
   while (ok && peek(r, 0) >= 0 && peek(r, 0) != '"') {
     bool escaped = peek(r, 0) == '\\' && (peek(r, 1) == '"' || peek(r, 1) == '\\' || peek(r, 1) == 'n');
-    char c = r->text[r->at + escaped];
+    char c = r->from.text[r->from.at + escaped];
     if (escaped && c == 'n') c = '\n';
     advance(r, escaped ? 2 : 1);
     ok = vs_text_put(&t, &c, 1);
@@ -334,7 +327,7 @@ static bool read_names(reader *r, size_t *count, vs_value *list) {
   for (*count = 0;; (*count)++) {
     size_t n = name_length(r, 0);
     if (!n) return refuse(r, place(r), "a name is missing here");
-    if (!vs_intern(r->vm, r->text + r->at, n, &p[1]) || !vs_cons(r->vm, p[1], p[0], &p[0])) return false;
+    if (!vs_intern(r->vm, r->from.text + r->from.at, n, &p[1]) || !vs_cons(r->vm, p[1], p[0], &p[0])) return false;
     advance(r, n);
     if (peek(r, 0) != '.') break;
     advance(r, 1);
@@ -365,7 +358,7 @@ static bool read_literal_name(reader *r, vs_pos pos) {
   VS_ROOTS(r->vm, p, 1);
   size_t n = name_length(r, 1);
   if (!n) return refuse(r, pos, "a name is missing after this /");
-  if (!vs_intern(r->vm, r->text + r->at + 1, n, &p[0])) return false;
+  if (!vs_intern(r->vm, r->from.text + r->from.at + 1, n, &p[0])) return false;
   advance(r, n + 1);
   return literal(r, &p[0], pos);
 }
@@ -401,17 +394,17 @@ static bool import(reader *r, vs_value rest, vs_value *out) {
   VS_ROOTS(vm, p, 2);
   p[1] = rest;
   return vs_read_datum(vm, text, sizeof text - 1, &p[0], NULL) &&
-         vs_cons_at(vm, p[0], p[1], vs_pos_make(r->file, 1, 1), out);
+         vs_cons_at(vm, p[0], p[1], vs_pos_make(r->from.file, 1, 1), out);
 }
 
 bool vs_gml_read(vs_scheme *vm, const char *text, size_t size, uint32_t file, uint32_t line, vs_value *forms) {
   if (!vs_check_utf8(vm, text, size, file, line)) return false;
   VS_ROOTS(vm, p, 2);
   p[0] = p[1] = VS_NIL;
-  reader r = { .vm = vm, .text = text, .size = size, .file = file, .line = line, .col = 1, .work = &p[0] };
+  reader r = { .vm = vm, .from = { .text = text, .size = size, .file = file, .line = line, .col = 1 }, .work = &p[0] };
   bool ok = open_frame(&r, vs_pos_make(file, line, 1));
-  if (ok && size >= 3 && !memcmp(text, "\xEF\xBB\xBF", 3)) r.at = 3;
-  while (ok && (skip(&r), r.at < size)) ok = read_token(&r);
+  if (ok && size >= 3 && !memcmp(text, "\xEF\xBB\xBF", 3)) r.from.at = 3;
+  while (ok && (skip(&r), r.from.at < size)) ok = read_token(&r);
   if (ok && r.depth > 1) ok = refuse(&r, r.levels[r.depth - 1].pos, "this { is never closed");
   ok = ok && flush(&r) && emit(&r, "gml:finish", NULL, NULL, place(&r)) &&
        declare(&r, true, place(&r), slot(&r, FORMS), &p[1]) && import(&r, p[1], &p[1]);
