@@ -5,14 +5,17 @@
 
 #include "bind/build.h"
 #include "bind/call/call.h"
+#include "bind/call/context.h"
+#include "bind/call/precision.h"
+#include "bind/call/raise.h"
 #include "bind/call/refuse.h"
 #include "bind/call/take.h"
 #include "bind/measures.h"
 #include "bind/objects.h"
 #include "bind/queries.h"
 #include "bind/state.h"
-#include "geometry/tessellate.h"
 #include "geometry/plane/planar_evaluation.h"
+#include "geometry/tessellate.h"
 
 #include <strings.h>
 
@@ -67,7 +70,7 @@ vs_status vs_p_lowered(vs_args *f, vs_value *out) {
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
   const vs_node *n = f->arg[0].ref.node;
   vs_fineness facets = { .tolerance = vs_bind_tolerance(f->vm), .segments = vs_bind_segments(f->vm) };
-  if (vs_bind_is_empty(n) || n->kind == VS_LINE || n->kind == VS_POLYFACE_MESH)
+  if (vs_node_is_empty(n) || n->kind == VS_LINE || n->kind == VS_POLYFACE_MESH)
     return vs_bind_give_node(f, vs_node_retain(f->arg[0].ref.node), out);
   if (!vs_node_bounds(n, &bounds, &e)) return vs_bind_error(f->vm, &e);
   if (facets.tolerance <= 0) facets.tolerance = vs_fineness_tolerance(&bounds);

@@ -11,30 +11,6 @@
 #include "model/kinds.h"
 #include "vm/values/heap.h"
 
-vs_status vs_bind_give_point(vs_args *f, vs_vec3 p, vs_value *out) {
-  return vs_make_flat(f->vm, VS_FLAT_POINT, (const double[]){ p.x, p.y, p.z }, 3, out);
-}
-vs_status vs_bind_give_vector(vs_args *f, vs_vec3 p, vs_value *out) {
-  return vs_make_flat(f->vm, VS_FLAT_VECTOR, (const double[]){ p.x, p.y, p.z }, 3, out);
-}
-vs_status vs_bind_give_real(vs_args *f, double d, vs_value *out) {
-  (void)f;
-  *out = vs_flonum(d);
-  return VS_OK;
-}
-
-vs_status vs_bind_give_matrix(vs_args *f, const vs_affine *m, vs_value *out) {
-  double d[16] = { 0 };
-  memcpy(d, m->m, 12 * sizeof *d);
-  d[15] = 1;
-  return vs_make_flat(f->vm, VS_FLAT_MATRIX, d, 16, out);
-}
-vs_affine vs_bind_take_matrix(const double *sixteen) {
-  vs_affine m;
-  memcpy(m.m, sixteen, 12 * sizeof *sixteen);
-  return m;
-}
-
 /* Greatest permitted length in model units. Its third power, even after a scaling by placements, must not overflow. */
 static const double LARGEST = 1e60;
 static bool too_large(double d) { return !(fabs(d) <= LARGEST); }
@@ -156,7 +132,7 @@ static void plane_directions(vs_vec3 normal, vs_vec3 *u, vs_vec3 *v) {
 
 vs_status vs_bind_stand(vs_args *f, const vs_arg *plane, vs_value *out) {
   vs_ref ref = vs_bind_take_ref(*out);
-  if (!ref.node || vs_bind_is_empty(ref.node)) return VS_OK;
+  if (!ref.node || vs_node_is_empty(ref.node)) return VS_OK;
   if (!vs_bind_keep(f, vs_node_retain(ref.node))) return VS_ERROR;
   const vs_bind_param *p = f->procedure->form[f->form].at;
   vs_vec3 u, v, from = vs_v3(0, 0, 0), to = plane->line.at;

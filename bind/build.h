@@ -1,5 +1,5 @@
-/* Declares the last steps of geometric procedures, implemented in build.c. In names, vs_bind_give_X creates a Scheme
- * value from an X, and vs_bind_take_X (call/take.h) reads an X from a value. */
+/* Declares the last steps of geometric procedures, implemented in build.c. They turn nodes into the
+ * values that procedures return. */
 #ifndef VS_BIND_BUILD_H
 #define VS_BIND_BUILD_H
 
@@ -22,11 +22,5 @@ vs_status vs_bind_give_node(vs_args *f, vs_node *node, vs_value *out);    /* Set
 /* Moves the figure *out from the plane XY into `plane` (#:plane). If the form has one point argument, the figure is
  * rotated about this point. Otherwise the figure's X and Y become coordinates in the plane. */
 vs_status vs_bind_stand(vs_args *f, const vs_arg *plane, vs_value *out);
-vs_status vs_bind_give_point(vs_args *f, vs_vec3 p, vs_value *out);
-vs_status vs_bind_give_vector(vs_args *f, vs_vec3 p, vs_value *out);
-vs_status vs_bind_give_real(vs_args *f, double d, vs_value *out);
-vs_status vs_bind_give_matrix(vs_args *f, const vs_affine *m, vs_value *out);
-vs_affine vs_bind_take_matrix(const double *sixteen); /* Returns the upper three rows of a 4x4 matrix, which is stored
-                                                       * row by row. */
 
 #endif

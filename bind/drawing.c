@@ -11,12 +11,12 @@
 #include "bind/objects.h"
 #include "bind/origins.h"
 #include "bind/state.h"
-#include "bind/workshop/sunlight.h"
 #include "bind/warnings.h"
+#include "bind/workshop/sunlight.h"
 #include "geometry/sky_light.h"
 #include "geometry/sun_position.h"
-#include "vm/library/port.h"
 #include "vm/front/source.h"
+#include "vm/library/port.h"
 
 /* ---- drawing and erasing ---- */
 
@@ -113,7 +113,7 @@ static vs_status around(vs_args *f, vs_kind kind, const void *data, const vs_arg
                   vs_bind_origin(f->bind) };
     if (!vs_bind_keep(f, child.node)) return VS_ERROR;
   }
-  if (vs_bind_is_empty(child.node)) return vs_bind_give_node(f, vs_node_retain(child.node), out);
+  if (vs_node_is_empty(child.node)) return vs_bind_give_node(f, vs_node_retain(child.node), out);
   return vs_bind_make(f, kind, data, &child, 1, out);
 }
 

@@ -6,22 +6,22 @@
 
 #include "bind/build.h"
 #include "bind/call/call.h"
+#include "bind/call/context.h"
+#include "bind/call/give.h"
+#include "bind/call/precision.h"
+#include "bind/call/raise.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
-#include "bind/call/take.h"
 #include "bind/constructors/operations.h"
-#include "bind/objects.h"
 #include "bind/queries.h"
-#include "bind/state.h"
 #include "geometry/measure/node_measures.h"
 #include "geometry/parts.h"
 #include "geometry/tessellate.h"
-#include "solids/drawn_bounds.h"
-#include "solids/solid_measures.h"
-#include "solids/resolve.h"
 #include "model/store/cache.h"
+#include "solids/drawn_bounds.h"
+#include "solids/resolve.h"
+#include "solids/solid_measures.h"
 
-vs_job *vs_bind_job(vs_scheme *vm) { return &vs_bind_of(vm)->job; }
 
 bool vs_bind_keep_going(void *vm, double done) {
   (void)done;
@@ -226,7 +226,7 @@ vs_status vs_p_centroid(vs_args *f, vs_value *out) {
   vs_error e = { 0 };
   if (!vs_bind_finite(f, 0)) return VS_ERROR;
   if (!vs_node_bounds(f->arg[0].ref.node, &b, &e)) return vs_bind_error(f->vm, &e);
-  if (vs_bind_is_empty(f->arg[0].ref.node) || vs_bounds_is_empty(&b))
+  if (vs_node_is_empty(f->arg[0].ref.node) || vs_bounds_is_empty(&b))
     return vs_bind_refuse(f, "o", "more than nothing", f->arg[0].value);
   return measure(f, &m, VS_ASK_CENTROID) && vs_bind_give_point(f, m.centroid, out);
 }

@@ -9,8 +9,6 @@
 
 typedef struct vs_args vs_args;
 
-/* Returns the limits, progress and warnings of the running program's computations (bind/state.h). */
-vs_job *vs_bind_job(vs_scheme *vm);
 /* Callback of long computations; vm is the vs_scheme. On an interrupt, sets the error and returns false. */
 bool vs_bind_keep_going(void *vm, double done);
 /* Replaces sections, shadows and edges in argument i by the curves and regions that they represent. */

@@ -19,8 +19,6 @@ static inline vs_ref vs_bind_take_ref(vs_value v) {
   return (vs_ref){ node, node ? (const vs_origin *)vs_as_foreign(v)->with : NULL };
 }
 
-static inline bool vs_bind_is_empty(const vs_node *n) { return n->kind == VS_EMPTY; }
-
 /* Sets *out to an object of this node and origin. Retains the node. */
 vs_status vs_bind_give_ref(vs_bind *b, vs_ref ref, vs_value *out);
 /* Sets *out to the list of objects of these nodes and origins, in their order. Retains the nodes. */

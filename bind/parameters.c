@@ -5,20 +5,20 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "bind/build.h"
 #include "bind/call/call.h"
+#include "bind/call/give.h"
 #include "bind/call/procedure.h"
 #include "bind/call/refuse.h"
 #include "bind/call/take.h"
 #include "bind/print.h"
 #include "bind/records.h"
 #include "bind/state.h"
+#include "vm/front/reader.h"
 #include "vm/machine/activation.h"
 #include "vm/machine/fail.h"
 #include "vm/numbers/number.h"
 #include "vm/values/heap.h"
 #include "vm/values/printer.h"
-#include "vm/front/reader.h"
 
 enum { KEY_MIN, KEY_MAX, KEY_STEP, KEY_CHOICES, KEY_LABEL, KEY_GROUP, KEY_UNIT };
 

@@ -1,6 +1,6 @@
 /* Implements points, gvectors, axes, planes and matrices, and sequences of numbers or of points on a line or an arc. */
-#include "bind/build.h"
 #include "bind/call/call.h"
+#include "bind/call/give.h"
 #include "bind/call/refuse.h"
 #include "bind/records.h"
 #include "vm/numbers/number.h"

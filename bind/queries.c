@@ -1,9 +1,10 @@
 /* Implements questions about an object: its kind and parts, its bounds and measures, its looks and place. */
 #include "bind/queries.h"
 
-#include "bind/build.h"
 #include "bind/call/call.h"
+#include "bind/call/give.h"
 #include "bind/call/procedure.h"
+#include "bind/call/raise.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
 #include "bind/constructors/operations.h"

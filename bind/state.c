@@ -1,7 +1,7 @@
 /* Creates and frees the data that an interpreter has outside of its heap. Also determines the model of a file: the
  * objects that it draws or, if it draws none, the values of its top-level expressions. */
-#include "bind/state.h"
 #include "bind/measures.h"
+#include "bind/state.h"
 
 #include "bind/back_ends.h"
 #include "bind/call/call.h"
@@ -11,10 +11,10 @@
 #include "bind/custom.h"
 #include "bind/objects.h"
 #include "bind/parameters.h"
+#include "bind/rules/lineage.h"
 #include "bind/thrown.h"
 #include "bind/warnings.h"
 #include "model/store/cache.h"
-#include "bind/rules/lineage.h"
 #include "model/store/nodemap.h"
 #include "model/walk.h"
 #include "vm/machine/activation.h"
@@ -152,7 +152,7 @@ bool vs_bind_finish(vs_bind *b) {
   for (size_t i = 0; known && i < b->scene.drawn_count; i++)
     known = vs_nodemap_put(&all, b->scene.drawn[i].node, NULL) != NULL;
   for (size_t i = 0; known && i < b->returned_count; i++)
-    if (!b->returned[i].shown && !drawn(&all, b->returned[i].node) && !vs_bind_is_empty(b->returned[i].node))
+    if (!b->returned[i].shown && !drawn(&all, b->returned[i].node) && !vs_node_is_empty(b->returned[i].node))
       vs_bind_warn_thrown(b, b->returned[i].node, b->returned[i].origin, false);
   vs_nodemap_free(&all);
   forget_returned(b);

@@ -25,7 +25,7 @@ static bool same_place(const vs_origin *a, const vs_origin *b) {
 void vs_bind_dropped(vs_scheme *vm, vs_value v) {
   vs_bind *b = vs_bind_of(vm);
   vs_ref ref = vs_bind_take_ref(v);
-  if (b->away || !ref.node || !ref.origin || vs_bind_is_empty(ref.node)) return;
+  if (b->away || !ref.node || !ref.origin || vs_node_is_empty(ref.node)) return;
   if (ref.node == b->drawn_last || ref.node == b->drawn_away) return;
   if (b->dropped_count == sizeof b->dropped / sizeof *b->dropped) return;
   for (size_t i = 0; i < b->dropped_count; i++)

@@ -193,6 +193,7 @@ static inline bool vs_node_has(const vs_node *n, unsigned trait) { return (vs_ki
 /* Returns true if n is a boolean operation. */
 static inline bool vs_node_is_set(const vs_node *n) { return vs_node_role(n) == VS_ROLE_SET; }
 
+static inline bool vs_node_is_empty(const vs_node *n) { return n->kind == VS_EMPTY; }
 /* Returns true if n occupies the same space as its single child. A GHOST is no wrapper: it occupies no space. */
 static inline bool vs_node_is_wrapper(const vs_node *n) {
   return n->child_count == 1 && vs_node_role(n) == VS_ROLE_WRAPPER;

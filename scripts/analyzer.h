@@ -5,7 +5,7 @@
 #ifndef VS_SCRIPTS_ANALYZER_H
 #define VS_SCRIPTS_ANALYZER_H
 
-#include "bind/call/refuse.h"
+#include "bind/call/raise.h"
 #include "model/store/array.h"
 #undef VS_GROW
 #define VS_GROW(array, room, need) \

@@ -9,6 +9,7 @@
 #   Makefile   the objects that it names have sources
 #   names      no two source files of different folders share a base name, and no two headers have a type of one name
 #   files      a file that a comment names exists, and each source begins with a comment that says what it contains
+#   dependants at most 40 objects depend on a header of bind/
 #   ours       no file has a copyright line of others
 #   speech     scripts/speech.sh: the texts of manual, comments, messages and CHANGELOG
 #   ratchets   the counts of scripts/layers.limits, which may only fall; and asserts, whose number has a lower limit
@@ -172,6 +173,11 @@ xargs -r nm -A --defined-only -g < "$work/objects" | awk -v build="$build/obj/" 
   limit symbol-circle "$(sed -n '1s/ .*//p' "$work/circles")" "objects in the widest circle:$(sed -n '1s/^[0-9]*//p' "$work/circles")"
   limit expander-circle "$(sed -n '2s/ .*//p' "$work/circles")" "objects in the circle of the expander:$(sed -n '2s/^[0-9]*//p' "$work/circles")"
 }
+
+# ---- dependants: a change of a header of bind/ rebuilds at most 40 objects; headers that offer less keep it so ----
+sed 's/\.o$/.d/' "$work/objects" | xargs -r cat | tr ' ' '\n' | grep -E '^bind/.*\.h$' | sort | uniq -c | while read -r count header; do
+  [ "$count" -le 40 ] || echo "$header: $count objects depend on it, and at most 40 may: split it, or include a smaller header"
+done >> "$work/wrong"
 
 # Words that the glossary has replaced (scripts/words.list: WORD MOST INSTEAD).
 while read -r word most instead; do

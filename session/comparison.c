@@ -4,13 +4,13 @@
 
 #include <string.h>
 
-#include "bind/call/take.h"
+#include "bind/call/precision.h"
 #include "bind/print.h"
+#include "passes/sugar.h"
 #include "session/handles.h"
 #include "session/host.h"
 #include "session/report.h"
 #include "session/spine.h"
-#include "passes/sugar.h"
 #include "solids/changed_parts.h"
 
 static void free_refs(vs_session *s, vs_ref **refs, size_t *count) {

@@ -18,8 +18,8 @@
 #include "vm/front/environment.h"
 #include "vm/machine/fail.h"
 #include "vm/machine/run.h"
-#include "vm/numbers/number.h"
 #include "vm/numbers/integer.h"
+#include "vm/numbers/number.h"
 #include "vm/numbers/number_text.h"
 #include "vm/values/heap.h"
 

@@ -11,7 +11,7 @@
  * vs_eval_text and vs_eval_file (visualscheme.c) perform the first four steps for each form. This file performs all
  * others, in this order. */
 #include "bind/back_ends.h"
-#include "bind/call/take.h"
+#include "bind/call/precision.h"
 #include "bind/custom.h"
 #include "bind/objects.h"
 #include "bind/scene/node_natives.h"

@@ -1,7 +1,7 @@
 /* Implements visualscheme.h. Combines the interpreter, the model, the geometric procedures and the back-ends in one
  * object. */
 #include "bind/back_ends.h"
-#include "bind/call/take.h"
+#include "bind/call/precision.h"
 #include "bind/measures.h"
 #include "bind/objects.h"
 #include "bind/origins.h"
@@ -23,30 +23,30 @@
 #include <string.h>
 
 #include "session/advice.h"
+#include "session/comparison.h"
+#include "session/fit/scan_fit.h"
 #include "session/handles.h"
 #include "session/host_meshes.h"
 #include "session/names.h"
 #include "session/profile/call_profile.h"
 #include "session/stops.h"
-#include "session/comparison.h"
-#include "session/fit/scan_fit.h"
 #include "solids/drawn_bounds.h"
 
 #include "backends/export.h"
 #include "model/store/cache.h"
 #include "passes/passes.h"
 #include "session/spine.h"
+#include "vm/front/scan.h"
+#include "vm/front/source.h"
 #include "vm/machine/image.h"
+#include "vm/machine/open_vm.h"
+#include "vm/machine/poll.h"
+#include "vm/machine/program.h"
 #include "vm/numbers/number.h"
+#include "vm/stepping/resume.h"
+#include "vm/stepping/step.h"
 #include "vm/values/heap.h"
 #include "vm/values/printer.h"
-#include "vm/front/scan.h"
-#include "vm/machine/poll.h"
-#include "vm/front/source.h"
-#include "vm/machine/program.h"
-#include "vm/machine/open_vm.h"
-#include "vm/stepping/step.h"
-#include "vm/stepping/resume.h"
 
 extern const vs_shipped vs_shipped_library[]; /* the files of library/, which the Makefile links into the program */
 extern const vs_image vs_library_image; /* image of the heap after the library was loaded, made at build time by

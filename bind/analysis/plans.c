@@ -6,8 +6,8 @@
 #include <stdlib.h>
 
 #include "bind/analysis/number_vectors.h"
-#include "bind/build.h"
-#include "bind/call/call.h"
+#include "bind/call/give.h"
+#include "bind/call/positional.h"
 #include "bind/call/scratch.h"
 #include "bind/measures.h"
 #include "vm/machine/fail.h"
@@ -17,38 +17,40 @@ enum { PLACE_NUMBERS = 4 }; /* x, y, length of the way to an exit or -1, index o
 
 /* Returns the points of an argument, without their heights. */
 static vs_vec2 *flat(vs_args *f, int argument) {
-  size_t n = f->arg[argument].points.count;
+  size_t n = vs_arg_points(f, argument).count;
   vs_vec2 *at = vs_bind_scratch(f, (n + 1) * sizeof *at);
   for (size_t i = 0; at && i < n; i++)
-    at[i] = (vs_vec2){ f->arg[argument].points.at[i].x, f->arg[argument].points.at[i].y };
+    at[i] = (vs_vec2){ vs_arg_points(f, argument).at[i].x, vs_arg_points(f, argument).at[i].y };
   return at;
 }
 
 /* Takes the plan of the first three arguments. */
 static bool take_plan(vs_args *f, vs_plan *p) {
-  size_t loops = vs_bind_vector_length(f->arg[1].value), all = 0;
+  vs_scheme *vm = vs_call_vm(f);
+  size_t loops = vs_bind_vector_length(vs_arg_value(f, 1)), all = 0;
   const double *sizes = vs_bind_numbers(f, 1, loops), *rooms = sizes ? vs_bind_numbers(f, 2, loops) : NULL;
   size_t *size = vs_bind_scratch(f, (loops + 1) * sizeof *size), *room = vs_bind_scratch(f, (loops + 1) * sizeof *room);
-  *p = (vs_plan){ .at = flat(f, 0), .count = f->arg[0].points.count, .size = size, .room = room, .loops = loops };
+  *p = (vs_plan){ .at = flat(f, 0), .count = vs_arg_points(f, 0).count, .size = size, .room = room, .loops = loops };
   if (!rooms || !size || !room || !p->at) return false;
   for (size_t i = 0; i < loops; i++) {
     if (!(sizes[i] >= 3 && sizes[i] <= (double)p->count && rooms[i] >= 0 && rooms[i] < (double)loops)) break;
     size[i] = (size_t)sizes[i], room[i] = (size_t)rooms[i], all += size[i];
     if (room[i] >= p->rooms) p->rooms = room[i] + 1;
   }
-  return all == p->count || (vs_fail(f->vm, f->vm->sym.range, "the loops of the plan do not fit"), false);
+  return all == p->count || (vs_fail(vm, vm->sym.range, "the loops of the plan do not fit"), false);
 }
 
 /* (%plan-ways points sizes rooms exits doors): returns a vector of the places, PLACE_NUMBERS each. */
 vs_status vs_p_plan_ways(vs_args *f, vs_value *out) {
+  vs_scheme *vm = vs_call_vm(f);
   vs_plan p;
   if (!take_plan(f, &p)) return VS_ERROR;
   const vs_vec2 *exits = flat(f, 3), *doors = flat(f, 4);
   if (!exits || !doors) return VS_ERROR;
   vs_plan_place *places;
   size_t count;
-  vs_plan_outcome outcome = vs_plan_ways(&p, exits, f->arg[3].points.count, doors, f->arg[4].points.count,
-                                         (vs_long_work){ vs_bind_keep_going, f->vm }, &places, &count);
+  vs_plan_outcome outcome = vs_plan_ways(&p, exits, vs_arg_points(f, 3).count, doors, vs_arg_points(f, 4).count,
+                                         (vs_long_work){ vs_bind_keep_going, vm }, &places, &count);
   double *numbers = outcome == VS_PLAN_DONE ? vs_bind_scratch(f, (count * PLACE_NUMBERS + 1) * sizeof *numbers) : NULL;
   for (size_t i = 0; numbers && i < count; i++) {
     double *n = &numbers[i * PLACE_NUMBERS];
@@ -57,44 +59,47 @@ vs_status vs_p_plan_ways(vs_args *f, vs_value *out) {
     n[3] = places[i].next == VS_NO_PLACE ? -1.0 : (double)places[i].next;
   }
   free(places);
-  if (outcome == VS_PLAN_MEMORY) return vs_fail_memory(f->vm);
+  if (outcome == VS_PLAN_MEMORY) return vs_fail_memory(vm);
   return numbers && vs_bind_give_numbers(f, numbers, count * PLACE_NUMBERS, out) ? VS_OK : VS_ERROR;
 }
 
 /* (%plan-way points sizes rooms places p): returns a list of the length of the way from p, and of the index of its
  * first place. Returns #f if p is in no room, or no way leads to an exit. */
 vs_status vs_p_plan_way(vs_args *f, vs_value *out) {
+  vs_scheme *vm = vs_call_vm(f);
   vs_plan p;
   if (!take_plan(f, &p)) return VS_ERROR;
-  size_t count = vs_bind_vector_length(f->arg[3].value) / PLACE_NUMBERS;
+  size_t count = vs_bind_vector_length(vs_arg_value(f, 3)) / PLACE_NUMBERS;
   const double *n = vs_bind_numbers(f, 3, count * PLACE_NUMBERS);
   vs_plan_place *places = vs_bind_scratch(f, (count + 1) * sizeof *places);
   if (!n || !places) return VS_ERROR;
   for (size_t i = 0; i < count; i++, n += PLACE_NUMBERS)
     places[i] = (vs_plan_place){ { n[0], n[1] }, n[2] < 0 ? INFINITY : n[2], VS_NO_PLACE };
-  vs_vec2 from = { f->arg[4].point.x, f->arg[4].point.y };
+  vs_vec2 from = { vs_arg_point(f, 4).x, vs_arg_point(f, 4).y };
   double far;
   uint32_t first;
   *out = VS_FALSE;
   if (!vs_plan_contains(&p, from)) return VS_OK;
-  if (!vs_plan_way(&p, places, count, from, &far, &first)) return vs_fail_memory(f->vm);
+  if (!vs_plan_way(&p, places, count, from, &far, &first)) return vs_fail_memory(vm);
   if (first == VS_NO_PLACE) return VS_OK;
-  VS_ROOTS(f->vm, r, 1);
-  return vs_cons(f->vm, vs_fix(first), VS_NIL, &r[0]) && vs_cons(f->vm, vs_flonum(far), r[0], out) ? VS_OK : VS_ERROR;
+  VS_ROOTS(vm, r, 1);
+  return vs_cons(vm, vs_fix(first), VS_NIL, &r[0]) && vs_cons(vm, vs_flonum(far), r[0], out) ? VS_OK : VS_ERROR;
 }
 
 /* (%plan-view points sizes rooms p): returns the list of the corners of the area that is seen from p. */
 vs_status vs_p_plan_view(vs_args *f, vs_value *out) {
+  vs_scheme *vm = vs_call_vm(f);
   vs_plan p;
   if (!take_plan(f, &p)) return VS_ERROR;
   vs_vec2 *at;
   size_t count;
-  if (!vs_plan_view(&p, (vs_vec2){ f->arg[3].point.x, f->arg[3].point.y }, &at, &count)) return vs_fail_memory(f->vm);
-  VS_ROOTS(f->vm, r, 2);
+  vs_vec3 eye = vs_arg_point(f, 3);
+  if (!vs_plan_view(&p, (vs_vec2){ eye.x, eye.y }, &at, &count)) return vs_fail_memory(vm);
+  VS_ROOTS(vm, r, 2);
   r[0] = VS_NIL;
   bool ok = true;
   for (size_t i = count; ok && i-- > 0;)
-    ok = vs_bind_give_point(f, vs_v3(at[i].x, at[i].y, f->arg[3].point.z), &r[1]) && vs_cons(f->vm, r[1], r[0], &r[0]);
+    ok = vs_bind_give_point(f, vs_v3(at[i].x, at[i].y, eye.z), &r[1]) && vs_cons(vm, r[1], r[0], &r[0]);
   free(at);
   *out = r[0];
   return ok ? VS_OK : VS_ERROR;

@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "bind/analysis/number_vectors.h"
-#include "bind/call/call.h"
-#include "bind/call/refuse.h"
+#include "bind/call/positional.h"
+#include "bind/call/raise.h"
 #include "bind/call/scratch.h"
 #include "bind/measures.h"
 #include "bind/print.h"
@@ -17,18 +17,19 @@
 enum { MEMBER_NUMBERS = 11 }; /* from, to, area, bend_y, bend_z, twist, modulus, shear, roll, two hinges */
 
 static bool take_members(vs_args *f, size_t nodes, vs_structure *s) {
-  s->member_count = vs_bind_vector_length(f->arg[1].value) / MEMBER_NUMBERS;
+  vs_scheme *vm = vs_call_vm(f);
+  s->member_count = vs_bind_vector_length(vs_arg_value(f, 1)) / MEMBER_NUMBERS;
   const double *n = vs_bind_numbers(f, 1, s->member_count * MEMBER_NUMBERS);
   vs_structure_member *m = vs_bind_scratch(f, (s->member_count + 1) * sizeof *m);
   if (!n || !m) return false;
   for (size_t i = 0; i < s->member_count; i++, n += MEMBER_NUMBERS) {
     bool ok = n[0] >= 0 && n[0] < (double)nodes && n[1] >= 0 && n[1] < (double)nodes && n[2] > 0 && n[6] > 0;
-    if (!ok) return vs_fail(f->vm, f->vm->sym.range, "member %zu is none", i + 1), false;
+    if (!ok) return vs_fail(vm, vm->sym.range, "member %zu is none", i + 1), false;
     m[i] = (vs_structure_member){ .from = (uint32_t)n[0], .to = (uint32_t)n[1], .area = n[2], .bend_y = n[3],
                                   .bend_z = n[4], .twist = n[5], .modulus = n[6], .shear = n[7], .roll = n[8],
                                   .hinged = { n[9] > 0, n[10] > 0 } };
     if (vs_v3_equal(s->at[m[i].from], s->at[m[i].to]))
-      return vs_fail(f->vm, f->vm->sym.range, "member %zu has no length", i + 1), false;
+      return vs_fail(vm, vm->sym.range, "member %zu has no length", i + 1), false;
   }
   s->members = m;
   return true;
@@ -36,7 +37,7 @@ static bool take_members(vs_args *f, size_t nodes, vs_structure *s) {
 
 /* Takes the points, the members and the held ways, which are the first three arguments. */
 static bool take_net(vs_args *f, vs_structure *s) {
-  *s = (vs_structure){ .at = f->arg[0].points.at, .count = f->arg[0].points.count };
+  *s = (vs_structure){ .at = vs_arg_points(f, 0).at, .count = vs_arg_points(f, 0).count };
   size_t ways = s->count * VS_WAYS;
   if (!take_members(f, s->count, s)) return false;
   const double *held = vs_bind_numbers(f, 2, ways);
@@ -51,7 +52,7 @@ static bool take_net(vs_args *f, vs_structure *s) {
 static bool take_structure(vs_args *f, vs_structure *s) {
   if (!take_net(f, s)) return false;
   size_t ways = s->count * VS_WAYS;
-  s->cases = (size_t)f->arg[5].integer;
+  s->cases = (size_t)vs_arg_integer(f, 5);
   s->loads = vs_bind_numbers(f, 3, ways * s->cases);
   s->lines = s->loads ? vs_bind_numbers(f, 4, s->member_count * 3 * s->cases) : NULL;
   return s->lines;
@@ -59,6 +60,7 @@ static bool take_structure(vs_args *f, vs_structure *s) {
 
 /* Sets the condition for a mechanism; then returns false. */
 static bool mechanism(vs_args *f, const vs_structure_report *report) {
+  vs_scheme *vm = vs_call_vm(f);
   double largest = 0, squares[2] = { 0, 0 };
   for (int i = 0; i < VS_WAYS; i++) squares[i / 3] += report->motion[i] * report->motion[i];
   bool path = squares[0] > 1e-9 * squares[1];
@@ -68,7 +70,7 @@ static bool mechanism(vs_args *f, const vs_structure_report *report) {
     if (fabs(d[i]) > fabs(largest)) largest = d[i];
   for (int i = 0; i < 3; i++)
     vs_bind_number_text(text[i], largest == 0 ? 0 : (round(d[i] / largest * 1000) + 0.0) / 1000);
-  vs_fail(f->vm, f->vm->sym.range,
+  vs_fail(vm, vm->sym.range,
           "the frame is a mechanism: node %zu %s (vxyz %s %s %s), and nothing resists; add a support, a member or a "
           "rigid joint",
           report->where + 1, path ? "moves along" : "turns about", text[0], text[1], text[2]);
@@ -78,6 +80,7 @@ static bool mechanism(vs_args *f, const vs_structure_report *report) {
 /* (%frame-solve points members held loads lines cases): returns a list of the movements, the ends' forces, the
  * reactions, and the list of the numbers of loose nodes. */
 vs_status vs_p_frame_solve(vs_args *f, vs_value *out) {
+  vs_scheme *vm = vs_call_vm(f);
   vs_structure s;
   vs_structure_report report = { 0 };
   vs_error e = { 0 };
@@ -87,22 +90,22 @@ vs_status vs_p_frame_solve(vs_args *f, vs_value *out) {
                                vs_bind_scratch(f, (ends + 1) * sizeof(double)),
                                vs_bind_scratch(f, (ways + 1) * sizeof(double)), vs_bind_scratch(f, s.count + 1) };
   if (!state.moved || !state.ends || !state.reactions || !state.loose) return VS_ERROR;
-  vs_long_work work = { vs_bind_keep_going, f->vm };
+  vs_long_work work = { vs_bind_keep_going, vm };
   switch (vs_structure_solve(&s, &state, work, &report, &e)) {
   case VS_STRUCTURE_MOVES: return mechanism(f, &report), VS_ERROR;
   case VS_STRUCTURE_STOPPED: return VS_ERROR; /* the condition is already set */
-  case VS_STRUCTURE_FAILED: return vs_bind_error(f->vm, &e);
+  case VS_STRUCTURE_FAILED: return vs_bind_error(vm, &e);
   case VS_STRUCTURE_DONE: break;
   }
-  VS_ROOTS(f->vm, r, 3);
+  VS_ROOTS(vm, r, 3);
   r[0] = VS_NIL;
   bool ok = true;
   for (size_t n = s.count; ok && n-- > 0;)
-    if (state.loose[n]) ok = vs_cons(f->vm, vs_fix((int64_t)n + 1), r[0], &r[0]);
-  ok = ok && vs_cons(f->vm, r[0], VS_NIL, &r[1]) && vs_bind_give_numbers(f, state.reactions, ways, &r[0]) &&
-       vs_cons(f->vm, r[0], r[1], &r[1]) && vs_bind_give_numbers(f, state.ends, ends, &r[0]) &&
-       vs_cons(f->vm, r[0], r[1], &r[1]) && vs_bind_give_numbers(f, state.moved, ways, &r[0]) &&
-       vs_cons(f->vm, r[0], r[1], out);
+    if (state.loose[n]) ok = vs_cons(vm, vs_fix((int64_t)n + 1), r[0], &r[0]);
+  ok = ok && vs_cons(vm, r[0], VS_NIL, &r[1]) && vs_bind_give_numbers(f, state.reactions, ways, &r[0]) &&
+       vs_cons(vm, r[0], r[1], &r[1]) && vs_bind_give_numbers(f, state.ends, ends, &r[0]) &&
+       vs_cons(vm, r[0], r[1], &r[1]) && vs_bind_give_numbers(f, state.moved, ways, &r[0]) &&
+       vs_cons(vm, r[0], r[1], out);
   return ok ? VS_OK : VS_ERROR;
 }
 
@@ -110,13 +113,14 @@ vs_status vs_p_frame_solve(vs_args *f, vs_value *out) {
  * is empty for the former, axial for the latter. Returns a list of a vector of factors or frequencies, and a vector of
  * shapes. */
 vs_status vs_p_frame_modes(vs_args *f, vs_value *out) {
+  vs_scheme *vm = vs_call_vm(f);
   vs_structure s;
   vs_structure_report report = { 0 };
   vs_error e = { 0 };
   if (!take_net(f, &s)) return VS_ERROR;
-  vs_modes_problem p = { .s = &s, .parts = (size_t)f->arg[5].integer, .want = (size_t)f->arg[6].integer };
-  if (p.parts > 64 || p.want > 1000) return vs_fail(f->vm, f->vm->sym.range, "more modes or segments than allowed");
-  if (vs_bind_vector_length(f->arg[3].value)) {
+  vs_modes_problem p = { .s = &s, .parts = (size_t)vs_arg_integer(f, 5), .want = (size_t)vs_arg_integer(f, 6) };
+  if (p.parts > 64 || p.want > 1000) return vs_fail(vm, vm->sym.range, "more modes or segments than allowed");
+  if (vs_bind_vector_length(vs_arg_value(f, 3))) {
     if (!(p.axial = vs_bind_numbers(f, 3, 2 * s.member_count))) return VS_ERROR;
   } else {
     if (!(p.mass = vs_bind_numbers(f, 4, s.member_count + s.count))) return VS_ERROR;
@@ -126,15 +130,15 @@ vs_status vs_p_frame_modes(vs_args *f, vs_value *out) {
   double *values = vs_bind_scratch(f, p.want * sizeof *values);
   double *shapes = vs_bind_scratch(f, (p.want * each + 1) * sizeof *shapes);
   if (!values || !shapes) return VS_ERROR;
-  vs_long_work work = { vs_bind_keep_going, f->vm };
+  vs_long_work work = { vs_bind_keep_going, vm };
   switch (vs_structure_modes(&p, work, values, shapes, &found, &report, &e)) {
   case VS_STRUCTURE_MOVES: return mechanism(f, &report), VS_ERROR;
   case VS_STRUCTURE_STOPPED: return VS_ERROR; /* the condition is already set */
-  case VS_STRUCTURE_FAILED: return vs_bind_error(f->vm, &e);
+  case VS_STRUCTURE_FAILED: return vs_bind_error(vm, &e);
   case VS_STRUCTURE_DONE: break;
   }
-  VS_ROOTS(f->vm, r, 2);
-  bool ok = vs_bind_give_numbers(f, shapes, found * each, &r[0]) && vs_cons(f->vm, r[0], VS_NIL, &r[1]) &&
-            vs_bind_give_numbers(f, values, found, &r[0]) && vs_cons(f->vm, r[0], r[1], out);
+  VS_ROOTS(vm, r, 2);
+  bool ok = vs_bind_give_numbers(f, shapes, found * each, &r[0]) && vs_cons(vm, r[0], VS_NIL, &r[1]) &&
+            vs_bind_give_numbers(f, values, found, &r[0]) && vs_cons(vm, r[0], r[1], out);
   return ok ? VS_OK : VS_ERROR;
 }

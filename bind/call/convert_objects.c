@@ -9,6 +9,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "bind/call/context.h"
 #include "bind/call/procedure.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
@@ -20,7 +21,6 @@
 #include "bind/print.h"
 #include "bind/records.h"
 #include "bind/rules/scope.h"
-#include "bind/state.h"
 #include "model/looks/ready_materials.h"
 #include "vm/front/suggest.h"
 #include "vm/machine/fail.h"
@@ -77,13 +77,13 @@ static bool add_ref(vs_args *f, vs_value v, void *to, bool *oom) {
 }
 static bool add_curve(vs_args *f, vs_value v, void *to, bool *oom) {
   const vs_node *n = vs_bind_take_ref(v).node;
-  return n && (n->class_ == VS_CURVE || vs_bind_is_empty(n)) && add_ref(f, v, to, oom);
+  return n && (n->class_ == VS_CURVE || vs_node_is_empty(n)) && add_ref(f, v, to, oom);
 }
 /* Adds a section of a loft: a curve, a region, or a point, which becomes a line with one point. */
 static bool add_section(vs_args *f, vs_value v, void *to, bool *oom) {
   const vs_node *object = vs_bind_take_ref(v).node;
   if (object)
-    return (object->class_ == VS_CURVE || object->class_ == VS_REGION_CLASS || vs_bind_is_empty(object)) &&
+    return (object->class_ == VS_CURVE || object->class_ == VS_REGION_CLASS || vs_node_is_empty(object)) &&
            add_ref(f, v, to, oom);
   if (!vs_is_flat(v, VS_FLAT_POINT) || !finite3(vs_as_flat(v)->at)) return false;
   vs_vec3 at = vec_of(vs_as_flat(v)->at);
@@ -368,9 +368,9 @@ vs_status vs_convert_material(vs_args *f, const vs_bind_param *p, vs_value v, vs
   if (!vs_convert_text(f, p, v, &name)) return VS_ERROR;
   if (p->contract == VS_C_MATERIAL && vs_is_string(v) && is_photograph(name.text.at))
     return convert_photograph(f, v, out);
-  size_t refused = f->bind->refused;
+  size_t refused = vs_bind_refused(f->vm);
   out->material = vs_store_ready_material(f->store, name.text.at);
-  return out->material                 ? VS_OK
-         : f->bind->refused != refused ? vs_fail_memory(f->vm)
-                                       : refuse_material(f, p, v, name.text.at);
+  return out->material                           ? VS_OK
+         : vs_bind_refused(f->vm) != refused ? vs_fail_memory(f->vm)
+                                                 : refuse_material(f, p, v, name.text.at);
 }

@@ -5,8 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "bind/build.h"
 #include "bind/call/call.h"
+#include "bind/call/give.h"
 #include "bind/call/procedure.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"

@@ -118,13 +118,3 @@ vs_status vs_bind_refuse_kind(vs_args *f, const vs_bind_param *p, vs_value got) 
 vs_status vs_bind_refuse_condition(vs_args *f, const vs_bind_param *p, vs_value got) {
   return vs_bind_refuse(f, p->name, vs_contract_condition(p->contract), got);
 }
-
-vs_status vs_bind_error(vs_scheme *vm, const vs_error *e) {
-  switch (e->kind) {
-    case VS_ERROR_MEMORY: return vs_fail_memory(vm);
-    case VS_ERROR_INTERRUPT: return vs_fail(vm, vm->sym.interrupt, "interrupted");
-    case VS_ERROR_FILE: return vs_fail(vm, vm->sym.file, "%s", e->message);
-    case VS_ERROR_NONE: case VS_ERROR_MODEL: case VS_ERROR_WORKER: break;
-  }
-  return vs_fail(vm, vm->sym.error, "%s", *e->message ? e->message : "cannot be computed");
-}

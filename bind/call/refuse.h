@@ -26,7 +26,5 @@ vs_status vs_bind_refuse_kind(vs_args *f, const vs_bind_param *p, vs_value got);
 vs_status vs_bind_refuse_condition(vs_args *f, const vs_bind_param *p, vs_value got);
 /* Refuses a procedure that was passed instead of its result. Returns false, without an error, if v is no procedure. */
 bool vs_bind_refuse_uncalled(vs_args *f, const vs_bind_param *p, vs_value v);
-/* Sets the error to "NAME: ..." with the message of *e. */
-vs_status vs_bind_error(vs_scheme *vm, const vs_error *e);
 
 #endif

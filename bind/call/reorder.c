@@ -4,11 +4,11 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "bind/call/context.h"
 #include "bind/call/contract.h"
 #include "bind/call/procedure.h"
 #include "bind/call/refuse.h"
 #include "bind/objects.h"
-#include "bind/state.h"
 #include "vm/machine/native.h"
 #include "vm/values/heap.h"
 #include "vm/values/printer.h"
@@ -92,8 +92,8 @@ void vs_bind_reorder(vs_args *f, const vs_value *a, int n) {
   if (n < 2 || n > MOST || !vs_is(r[0], VS_T_CONDITION) || vs_as_condition(r[0])->kind != vm->sym.type ||
       vs_as_condition(r[0])->payload != VS_FALSE) return;
   orders o = {.found = 0};
-  vs_job job = f->bind->job;
-  f->bind->job.warn = NULL; /* while orders are tried, conversions must not give warnings */
+  vs_job *job = vs_bind_job(vm), before = *job;
+  job->warn = NULL; /* while orders are tried, conversions must not give warnings */
   for (int form = 0; form < VS_MAX_FORMS && f->procedure->form[form].used && !o.found; form++) {
     if (!place_parameters(&f->procedure->form[form], n, &o)) continue;
     for (int i = 0; i < n; i++)
@@ -103,7 +103,7 @@ void vs_bind_reorder(vs_args *f, const vs_value *a, int n) {
       }
     try_orders(&o);
   }
-  f->bind->job.warn = job.warn;
+  job->warn = before.warn;
   if (o.found) {
     vs_text t;
     vs_text_open(vm, &t, 400);

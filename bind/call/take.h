@@ -1,7 +1,7 @@
 /* Declares functions that read C data from values.
  *
  * Names in bind/ follow one rule: vs_bind_take_X reads an X from a value; vs_bind_give_X creates a value from an X
- * (build.h, objects.h, rules/scope.h). */
+ * (give.h, objects.h, rules/scope.h). */
 #ifndef VS_BIND_CALL_TAKE_H
 #define VS_BIND_CALL_TAKE_H
 
@@ -15,8 +15,5 @@ int vs_bind_take_numbers(vs_scheme *vm, vs_value v, double d[3]);
 /* Copies the UTF-8 of a string or symbol, with a NUL, into memory of vs_mem; the caller frees *out. If it fails, sets
  * the error and returns false. */
 bool vs_bind_take_text(vs_scheme *vm, vs_value string_or_symbol, char **out, size_t *bytes);
-
-int32_t vs_bind_segments(vs_scheme *vm); /* Returns (current-segments); 0: computed from the tolerance. */
-double vs_bind_tolerance(vs_scheme *vm); /* Returns (current-tolerance); 0: computed from the size of the drawing. */
 
 #endif

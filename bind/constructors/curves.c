@@ -1,6 +1,8 @@
 /* Implements the procedures that create curves and regions. */
 #include "bind/build.h"
 #include "bind/call/call.h"
+#include "bind/call/give.h"
+#include "bind/call/precision.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
 #include "bind/call/take.h"

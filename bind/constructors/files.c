@@ -2,15 +2,16 @@
 #include "bind/constructors/files.h"
 
 #include "bind/call/call.h"
+#include "bind/call/raise.h"
 #include "bind/call/refuse.h"
+#include "geometry/files/exr_read.h"
 #include "geometry/light/ies.h"
 #include "geometry/light/panorama_sun.h"
 #include "geometry/light/radiance.h"
-#include "geometry/files/exr_read.h"
 #include "geometry/pictures/photograph.h"
 
-#include "vm/library/port.h"
 #include "vm/front/source.h"
+#include "vm/library/port.h"
 #include "vm/machine/activation.h"
 #include "vm/values/heap.h"
 

@@ -1,6 +1,7 @@
 /* Creates height fields from rows of numbers or from picture files. */
 #include "bind/build.h"
 #include "bind/call/call.h"
+#include "bind/call/raise.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
 #include "bind/call/take.h"

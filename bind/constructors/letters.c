@@ -4,13 +4,15 @@
 
 #include "bind/build.h"
 #include "bind/call/call.h"
+#include "bind/call/give.h"
+#include "bind/call/raise.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
 #include "bind/origins.h"
 #include "bind/warnings.h"
 #include "geometry/text/typeset.h"
-#include "vm/library/port.h"
 #include "vm/front/source.h"
+#include "vm/library/port.h"
 #include "vm/machine/activation.h"
 
 /* Reads a font file through the host. Its name is relative to the program, like that of a loaded file. */

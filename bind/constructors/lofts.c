@@ -5,6 +5,8 @@
 
 #include "bind/build.h"
 #include "bind/call/call.h"
+#include "bind/call/precision.h"
+#include "bind/call/raise.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
 #include "bind/call/take.h"
@@ -54,7 +56,7 @@ vs_status vs_p_do_revolve(vs_args *f, vs_value *out) {
   d.segments = f->key[0].given ? (int32_t)f->key[0].integer : vs_bind_segments(f->vm);
   if (f->arg[2].given) d.start = REAL(2);
   if (f->arg[3].given) d.end = REAL(3);
-  if (vs_bind_is_empty(NODE(0))) return vs_bind_empty(f, "the profile is empty", out);
+  if (vs_node_is_empty(NODE(0))) return vs_bind_empty(f, "the profile is empty", out);
   if (d.start == d.end) return vs_bind_empty(f, "start and end are the same", out);
   if (vs_is_several(NODE(0)) && !(NODE(0)->flags & VS_NODE_CLOSED)) return vs_bind_each_part(f, vs_p_do_revolve, out);
   if (!vs_bind_uncrossed(f, f->arg[0].ref, "s")) return VS_ERROR;
@@ -80,7 +82,7 @@ static vs_status sections(vs_args *f, vs_ref *all, size_t *count, vs_value *out)
     return vs_bind_refuse(f, "sections", "two sections or more",
                           f->arg[0].value == VS_UNSPECIFIC ? VS_NIL : f->arg[0].value);
   for (size_t i = 0; i < given; i++)
-    if (!vs_bind_is_empty(all[i].node)) {
+    if (!vs_node_is_empty(all[i].node)) {
       char what[40];
       snprintf(what, sizeof what, "section %zu", i + 1);
       if (!vs_bind_uncrossed(f, all[i], what)) return VS_ERROR;
@@ -132,7 +134,7 @@ vs_status vs_p_do_guided_loft(vs_args *f, vs_value *out) {
   memcpy(all, f->arg[0].refs.at, n * sizeof *all);
   for (size_t i = 0; i < guides; i++) {
     all[n + i] = f->arg[1].refs.at[i];
-    if (vs_bind_is_empty(all[n + i].node))
+    if (vs_node_is_empty(all[n + i].node))
       return vs_bind_empty(f, path ? "the path is empty" : "a guide is empty", out);
   }
   struct vs_guided_loft d = { .section_count = (int32_t)n, .path = path };
@@ -185,7 +187,7 @@ static vs_status make_grid(vs_args *f, vs_kind kind, const grid *g, vs_value *ou
                            f->key[1].given && f->key[1].boolean };
   vs_node *n = vs_surface_make(f->store, kind, &points, &e);
   if (!n) return vs_bind_error(f->vm, &e);
-  if (!vs_bind_is_empty(n)) return vs_bind_give_node(f, n, out);
+  if (!vs_node_is_empty(n)) return vs_bind_give_node(f, n, out);
   vs_node_release(n);
   return vs_bind_empty(f, "all points lie on one line", out);
 }

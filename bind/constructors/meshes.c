@@ -2,6 +2,7 @@
  * requested. */
 #include "bind/build.h"
 #include "bind/call/call.h"
+#include "bind/call/raise.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
 #include "bind/constructors/files.h"
@@ -10,17 +11,16 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "bind/measures.h"
-#include "bind/objects.h"
+#include "bind/call/context.h"
 #include "bind/warnings.h"
 #include "geometry/files/polyface.h"
 #include "geometry/files/repair.h"
 #include "geometry/primitives/solid_triangles.h"
 #include "kernel/mesh/inspect.h"
-#include "solids/solid_meshes.h"
+#include "model/job.h"
 #include "model/store/array.h"
 #include "model/store/cache.h"
-#include "model/job.h"
+#include "solids/solid_meshes.h"
 
 #define POINT(i) (f->arg[i].point)
 
@@ -185,7 +185,7 @@ static vs_status repaired(vs_args *f, const char *file, vs_face_list *l, bool *s
 /* Sets *out to the object of n, whose reference it takes over. sheet: whether the faces form a surface. If n is empty,
  * this decides between the empty surface and the empty solid. */
 static vs_status finished(vs_args *f, vs_node *n, bool sheet, vs_value *out) {
-  if (!vs_bind_is_empty(n)) return vs_bind_give_node(f, n, out);
+  if (!vs_node_is_empty(n)) return vs_bind_give_node(f, n, out);
   vs_node_release(n);
   return vs_bind_empty(f, sheet ? "the faces are a surface, which encloses nothing" : "the faces have no area", out);
 }

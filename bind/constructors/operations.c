@@ -5,6 +5,9 @@
 
 #include "bind/build.h"
 #include "bind/call/call.h"
+#include "bind/call/context.h"
+#include "bind/call/precision.h"
+#include "bind/call/raise.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
 #include "bind/call/take.h"
@@ -14,16 +17,16 @@
 #include "bind/print.h"
 #include "bind/queries.h"
 #include "bind/records.h"
-#include "geometry/shapes/hull.h"
-#include "geometry/plane/curve_crossings.h"
-#include "geometry/plane/join.h"
 #include "geometry/measure/node_measures.h"
 #include "geometry/parts.h"
-#include "geometry/tessellate.h"
-#include "geometry/plane/slice.h"
-#include "solids/resolve.h"
-#include "geometry/plane/plane.h"
+#include "geometry/plane/curve_crossings.h"
+#include "geometry/plane/join.h"
 #include "geometry/plane/planar_evaluation.h"
+#include "geometry/plane/plane.h"
+#include "geometry/plane/slice.h"
+#include "geometry/shapes/hull.h"
+#include "geometry/tessellate.h"
+#include "solids/resolve.h"
 
 #define REAL(i) (f->arg[i].real)
 #define POINT(i) (f->arg[i].point)
@@ -155,13 +158,13 @@ vs_status vs_p_intersect(vs_args *f, vs_value *out) {
   if (n == 1) return same(f, ref[0], out);
   if (!filled(f, ref, n)) return VS_ERROR;
   for (size_t i = 0; i < n; i++)
-    if (vs_bind_is_empty(ref[i].node)) return vs_bind_empty(f, NULL, out);
+    if (vs_node_is_empty(ref[i].node)) return vs_bind_empty(f, NULL, out);
   return vs_bind_make(f, VS_INTERSECTION, &(struct vs_intersection){ 0 }, ref, n, out);
 }
 
 vs_status vs_p_subtract(vs_args *f, vs_value *out) {
   size_t n = f->arg[1].refs.count;
-  if (n == 0 || vs_bind_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);
+  if (n == 0 || vs_node_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);
   vs_ref *ref = vs_bind_scratch(f, (n + 1) * sizeof *ref);
   if (!ref) return VS_ERROR;
   ref[0] = f->arg[0].ref;
@@ -178,7 +181,7 @@ static vs_status placed(vs_args *f, vs_affine m, vs_value *out) {
       if (!isfinite(m.m[i][j]))
         return vs_fail(f->vm, f->vm->sym.range,
                        "the numbers are too large: the object would be infinitely far or large");
-  if (vs_bind_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);
+  if (vs_node_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);
   return vs_bind_make(f, VS_TRANSFORM, &(struct vs_transform){ .matrix = m }, &f->arg[0].ref, 1, out);
 }
 
@@ -199,7 +202,7 @@ vs_status vs_p_do_mirror(vs_args *f, vs_value *out) {
 vs_status vs_p_do_slice(vs_args *f, vs_value *out) {
   struct vs_half_space h = { .point = f->arg[1].line.at, .normal = vs_v3_unit(f->arg[1].line.direction) };
   vs_ref pair[2] = { f->arg[0].ref };
-  if (vs_bind_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);
+  if (vs_node_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);
   vs_shape_plane flat;
   vs_bounds b;
   vs_error e = { 0 };
@@ -227,7 +230,7 @@ vs_status vs_p_do_transform(vs_args *f, vs_value *out) {
 vs_status vs_p_do_resize(vs_args *f, vs_value *out) {
   static const char *const names[] = { "o", "dx", "dy", "dz" };
   vs_bounds b;
-  if (vs_bind_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);
+  if (vs_node_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);
   vs_ref whole = f->arg[0].ref; /* the object to be placed, as the user made it; its bounds are computed from a form
                                  * without sections and shadows */
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0) || !vs_bind_drawn_bounds(f, 0, &b)) return VS_ERROR;
@@ -406,18 +409,18 @@ vs_status vs_p_do_extrude(vs_args *f, vs_value *out) {
   bool path = vs_bind_take_ref(f->arg[1].value).node != NULL;
   vs_shape_plane plane;
   bool empty, leaving_it;
-  if (vs_bind_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);
+  if (vs_node_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);
   if (vs_is_several(NODE(0)) && !(NODE(0)->flags & VS_NODE_CLOSED)) return vs_bind_each_part(f, vs_p_do_extrude, out);
   if (!check_twist(f, d.twist, f->key[0].value) || !check_profile(f, &plane, &empty, out)) return VS_ERROR;
   if (empty) return VS_OK;
   bool flat = vs_v3_length(plane.normal) > 0, straight = false;
   vs_vec3 way = { 0, 0, 0 };
-  if (path && d.taper != 0 && !vs_bind_is_empty(f->arg[1].ref.node) &&
+  if (path && d.taper != 0 && !vs_node_is_empty(f->arg[1].ref.node) &&
       !is_straight(f, f->arg[1].ref.node, &way, &straight))
     return VS_ERROR;
   if (path && !straight) {
     child[1] = f->arg[1].ref;
-    if (vs_bind_is_empty(child[1].node)) return vs_bind_empty(f, "the path is empty", out);
+    if (vs_node_is_empty(child[1].node)) return vs_bind_empty(f, "the path is empty", out);
     if (d.taper != 0 && !check_taper(f, &d)) return VS_ERROR;
     if (d.twist != 0 || d.scale != 1)
       return vs_fail(f->vm, f->vm->sym.range,
@@ -464,8 +467,8 @@ vs_status vs_p_do_sweep(vs_args *f, vs_value *out) {
   if (d.has_base) d.base = f->key[0].point;
   if (f->key[1].given) d.up = f->key[1].point;
   vs_ref child[2] = { f->arg[0].ref, f->arg[1].ref };
-  if (vs_bind_is_empty(NODE(0))) return vs_bind_empty(f, "the profile is empty", out);
-  if (vs_bind_is_empty(NODE(1))) return vs_bind_empty(f, "the path is empty", out);
+  if (vs_node_is_empty(NODE(0))) return vs_bind_empty(f, "the profile is empty", out);
+  if (vs_node_is_empty(NODE(1))) return vs_bind_empty(f, "the path is empty", out);
   vs_shape_plane plane;
   bool empty;
   if (!check_twist(f, d.twist, f->arg[2].value) || !check_profile(f, &plane, &empty, out)) return VS_ERROR;
@@ -476,7 +479,7 @@ vs_status vs_p_do_sweep(vs_args *f, vs_value *out) {
 vs_status vs_p_do_thicken(vs_args *f, vs_value *out) {
   struct vs_thicken d = { .width = REAL(1),
                           .segments = f->key[0].given ? (int32_t)f->key[0].integer : vs_bind_segments(f->vm) };
-  if (vs_bind_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);
+  if (vs_node_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);
   if (d.width == 0) return vs_bind_empty(f, "the width is 0", out);
   if (vs_is_several(NODE(0))) return vs_bind_each_part(f, vs_p_do_thicken, out);
   return vs_bind_make(f, VS_THICKEN, &d, &f->arg[0].ref, 1, out);

@@ -2,9 +2,10 @@
  * objects. */
 #include "bind/build.h"
 #include "bind/call/call.h"
+#include "bind/call/precision.h"
+#include "bind/call/raise.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
-#include "bind/call/take.h"
 #include "bind/constructors/operations.h"
 #include "bind/measures.h"
 #include "bind/objects.h"
@@ -17,13 +18,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "geometry/plane/curve_crossings.h"
-#include "geometry/plane/join.h"
 #include "geometry/measure/node_measures.h"
 #include "geometry/parts.h"
-#include "geometry/parts.h"
-#include "geometry/plane/plane.h"
 #include "geometry/plane/areas.h"
+#include "geometry/plane/curve_crossings.h"
+#include "geometry/plane/join.h"
+#include "geometry/plane/plane.h"
 #include "model/store/array.h"
 
 #define POINT(i) (f->arg[i].point)
@@ -83,7 +83,7 @@ static vs_status joined(vs_args *f, vs_ref **out, size_t *count) {
   vs_error e = { 0 };
   size_t n = 0;
   for (size_t i = 0; i < f->arg[0].refs.count; i++) {
-    if (vs_bind_is_empty(c[i].node)) continue;
+    if (vs_node_is_empty(c[i].node)) continue;
     if (c[i].node->kind == VS_XLINE || c[i].node->kind == VS_RAY)
       return vs_fail(f->vm, f->vm->sym.type, "curves must be finite; one curve is endless");
     c[n++] = c[i];
@@ -216,7 +216,7 @@ vs_status vs_p_do_offset(vs_args *f, vs_value *out) {
   vs_ref whole = f->arg[0].ref;
   while (i < 3 && strcmp(corners, names[i])) i++;
   if (i == 3) return vs_bind_refuse(f, "corners", "'mitre, 'round or 'square", f->key[0].value);
-  if (vs_bind_is_empty(NODE(0))) return vs_bind_give_node(f, vs_node_retain(NODE(0)), out);
+  if (vs_node_is_empty(NODE(0))) return vs_bind_give_node(f, vs_node_retain(NODE(0)), out);
   if (vs_is_several(NODE(0)) && !(NODE(0)->flags & VS_NODE_CLOSED)) return vs_bind_each_part(f, vs_p_do_offset, out);
   if (NODE(0)->kind == VS_XLINE || NODE(0)->kind == VS_RAY)
     return vs_bind_refuse(f, "s", "a finite curve, a closed curve or a region", f->arg[0].value);

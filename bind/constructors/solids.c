@@ -2,8 +2,8 @@
  * and warns once for each place of a call. */
 #include "bind/build.h"
 #include "bind/call/call.h"
+#include "bind/call/precision.h"
 #include "bind/call/refuse.h"
-#include "bind/call/take.h"
 
 #define REAL(i) (f->arg[i].real)
 #define POINT(i) (f->arg[i].point)

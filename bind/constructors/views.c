@@ -3,9 +3,9 @@
 #include <string.h>
 
 #include "bind/call/call.h"
+#include "bind/call/context.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
-#include "bind/state.h"
 
 /* The kinds of views that a program can name, each with its projection and its cut. */
 static const struct { const char *name; vs_view view; vs_cut cut; } kinds[] = {
@@ -105,7 +105,7 @@ vs_status vs_p_camera(vs_args *f, vs_value *out) {
   if (vs_v3_equal(v.eye, v.target)) return vs_bind_refuse(f, "target", "another point than eye", f->arg[1].value);
   v.lens = k[0].given ? k[0].real : 35;
   if (take_aperture(f, &v, &k[2], &k[3]) != VS_OK || take_upright(f, &v, &k[1]) != VS_OK) return VS_ERROR;
-  if (!f->bind->handing) vs_scene_look(&f->bind->scene, &v);
+  if (!vs_bind_handing(f->vm)) vs_scene_look(vs_bind_scene(f->vm), &v);
   return VS_OK;
 }
 
@@ -134,14 +134,14 @@ vs_status vs_p_view(vs_args *f, vs_value *out) {
       "one of \"A4\" \"A3\" \"A2\" \"A1\" \"A0\", or 'none", k[6].value);
   v.hidden = k[7].given && k[7].boolean;
   if (!keep_text(f, &f->arg[0], &v.name) || !keep_text(f, &k[6], &v.sheet)) return VS_ERROR;
-  return f->bind->handing || vs_scene_add_view(&f->bind->scene, &v) ? VS_OK : vs_fail_memory(f->vm);
+  return vs_bind_handing(f->vm) || vs_scene_add_view(vs_bind_scene(f->vm), &v) ? VS_OK : vs_fail_memory(f->vm);
 }
 
 /* ---- notes on drawings ---- */
 
 static vs_status add_note(vs_args *f, vs_scene_note note, const vs_arg *text, const vs_arg *view) {
   if (!keep_text(f, text, &note.text) || !keep_text(f, view, &note.view)) return VS_ERROR;
-  return f->bind->handing || vs_scene_add_note(&f->bind->scene, &note) ? VS_OK : vs_fail_memory(f->vm);
+  return vs_bind_handing(f->vm) || vs_scene_add_note(vs_bind_scene(f->vm), &note) ? VS_OK : vs_fail_memory(f->vm);
 }
 
 vs_status vs_p_dimension(vs_args *f, vs_value *out) {
@@ -181,7 +181,7 @@ vs_status vs_p_sheet_table(vs_args *f, vs_value *out) {
   const size_t columns = (size_t)f->arg[1].integer;
   vs_scene_table t = { .cells = cells.at, .rows = cells.count / columns, .columns = columns };
   if (f->arg[2].text.length && !keep_text(f, &f->arg[2], &t.title)) return VS_ERROR;
-  return f->bind->handing || vs_scene_add_table(&f->bind->scene, &t) ? VS_OK : vs_fail_memory(f->vm);
+  return vs_bind_handing(f->vm) || vs_scene_add_table(vs_bind_scene(f->vm), &t) ? VS_OK : vs_fail_memory(f->vm);
 }
 
 vs_status vs_p_grid_axis(vs_args *f, vs_value *out) {

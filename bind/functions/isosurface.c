@@ -1,6 +1,7 @@
 /* Implements make-isosurface, which creates solids from functions. */
 #include "bind/build.h"
 #include "bind/call/call.h"
+#include "bind/call/raise.h"
 #include "bind/call/refuse.h"
 #include "bind/functions/function_values.h"
 
@@ -8,12 +9,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "bind/call/context.h"
 #include "bind/measures.h"
 #include "bind/print.h"
-#include "bind/state.h"
 #include "bind/warnings.h"
-#include "geometry/functions/contour.h"
 #include "geometry/files/polyface.h"
+#include "geometry/functions/contour.h"
 #include "kernel/kernel_options.h"
 #include "model/store/array.h"
 
@@ -33,7 +34,7 @@ static vs_status refuse(vs_args *f, vs_contour_outcome outcome, const vs_contour
                    "f is nowhere below the level in the box, or only in parts smaller than a cell");
   case VS_CONTOUR_STOPPED: return VS_ERROR; /* the interrupt has already set the error */
   case VS_CONTOUR_MANY:
-    return vs_fail(f->vm, f->vm->sym.limit, VS_SHAPES_OVER, c->most, VS_ON_THE_WAY, f->bind->mesh_triangles);
+    return vs_fail(f->vm, f->vm->sym.limit, VS_SHAPES_OVER, c->most, VS_ON_THE_WAY, vs_bind_most_triangles(f->vm));
   case VS_CONTOUR_MEMORY:
   case VS_CONTOUR_DONE: break;
   }
@@ -44,7 +45,7 @@ static vs_status refuse(vs_args *f, vs_contour_outcome outcome, const vs_contour
 static vs_contour_outcome refined(vs_args *f, const vs_tape *t, double tolerance, vs_contour *c) {
   int cells = FIRST_CELLS;
   for (;;) {
-    c->most = f->bind->mesh_triangles * VS_ON_THE_WAY;
+    c->most = vs_bind_most_triangles(f->vm) * VS_ON_THE_WAY;
     vs_contour_grid grid = { f->arg[1].point, f->arg[2].point, cells, tolerance };
     vs_contour_outcome outcome = vs_contour_make(t, &grid, (vs_long_work){ vs_bind_keep_going, f->vm }, c);
     bool missed = outcome == VS_CONTOUR_EMPTY; /* missed: true if no surface was found; smaller cells may find it */
@@ -75,7 +76,7 @@ vs_status vs_p_make_isosurface(vs_args *f, vs_value *out) {
     snprintf(text, sizeof text, "from 2 to %d", VS_CONTOUR_CELLS);
     return vs_bind_refuse(f, "cells", text, f->key[0].value);
   }
-  vs_contour c = { .most = f->bind->mesh_triangles * VS_ON_THE_WAY };
+  vs_contour c = { .most = vs_bind_most_triangles(f->vm) * VS_ON_THE_WAY };
   vs_contour_grid grid = { p, q, f->key[0].given ? (int)f->key[0].integer : 64, 0 };
   vs_long_work work = { vs_bind_keep_going, f->vm };
   vs_contour_outcome outcome =

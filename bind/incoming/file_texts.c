@@ -11,8 +11,8 @@
 #include <string.h>
 #include <strings.h>
 
+#include "bind/call/context.h"
 #include "bind/incoming/xml_events.h"
-#include "bind/state.h"
 #include "model/characters.h"
 #include "model/scene.h"
 #include "vm/library/port.h"
@@ -244,9 +244,8 @@ static vs_status path_tokens(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 
 /* (%model-metres): returns the length of the model's unit in metres. */
 static vs_status model_metres(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
-  const vs_bind *b = vm->host;
   (void)a, (void)n;
-  *out = vs_flonum(vs_scene_metres(&b->scene));
+  *out = vs_flonum(vs_scene_metres(vs_bind_scene(vm)));
   return VS_OK;
 }
 

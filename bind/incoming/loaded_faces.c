@@ -3,13 +3,12 @@
 #include <string.h>
 
 #include "bind/build.h"
-#include "bind/call/call.h"
-#include "bind/call/refuse.h"
+#include "bind/call/positional.h"
+#include "bind/call/raise.h"
 #include "bind/constructors/meshes.h"
-#include "bind/objects.h"
+#include "geometry/files/face_shells.h"
 #include "geometry/files/polyface.h"
 #include "geometry/files/repair.h"
-#include "geometry/files/face_shells.h"
 #include "model/store/array.h"
 #include "vm/machine/run.h"
 #include "vm/values/heap.h"
@@ -37,22 +36,22 @@ static vs_status give_faces(loading *l, vs_face_list *faces, size_t piece, bool 
   vs_args *f = l->f;
   vs_node *n = NULL;
   bool flawless;
-  VS_ROOTS(f->vm, r, 2);
-  vs_status ok = vs_face_list_compact(faces) ? VS_OK : vs_fail_memory(f->vm);
+  VS_ROOTS(vs_call_vm(f), r, 2);
+  vs_status ok = vs_face_list_compact(faces) ? VS_OK : vs_fail_memory(vs_call_vm(f));
   ok = ok && vs_bind_whole_faces(f, "", faces, &flawless, &n);
   vs_face_list_free(faces);
   if (!ok) return VS_ERROR;
-  if (vs_bind_is_empty(n)) return vs_node_release(n), VS_OK;
+  if (vs_node_is_empty(n)) return vs_node_release(n), VS_OK;
   r[1] = VS_NIL;
-  return vs_bind_give_node(f, n, &r[0]) && vs_cons(f->vm, mixed ? VS_TRUE : VS_FALSE, VS_NIL, &r[1]) &&
-         vs_cons(f->vm, r[0], r[1], &r[1]) && vs_cons(f->vm, vs_fix((int64_t)piece), r[1], &r[1]) &&
-         vs_cons(f->vm, r[1], *l->made, l->made);
+  return vs_bind_give_node(f, n, &r[0]) && vs_cons(vs_call_vm(f), mixed ? VS_TRUE : VS_FALSE, VS_NIL, &r[1]) &&
+         vs_cons(vs_call_vm(f), r[0], r[1], &r[1]) && vs_cons(vs_call_vm(f), vs_fix((int64_t)piece), r[1], &r[1]) &&
+         vs_cons(vs_call_vm(f), r[1], *l->made, l->made);
 }
 
 /* ---- faces of a piece ---- */
 
 static vs_status refuse_face(const loading *l, const char *why) {
-  return vs_fail(l->f->vm, l->f->vm->sym.range, "%s", why);
+  return vs_fail(vs_call_vm(l->f), vs_call_vm(l->f)->sym.range, "%s", why);
 }
 
 static double number_at(const vs_bytes *b, size_t i) {
@@ -93,7 +92,7 @@ static bool add_faces(vs_face_list *l, const vs_bytes *corners, int64_t form) {
 
 /* Makes the list of a piece #(points corners form). */
 static vs_status list_of_piece(const loading *l, vs_value piece, vs_face_list *out) {
-  vs_scheme *vm = l->f->vm;
+  vs_scheme *vm = vs_call_vm(l->f);
   const vs_bytes *points = vs_as_bytes(vs_as_vector(piece)->at[0]), *corners = vs_as_bytes(vs_as_vector(piece)->at[1]);
   size_t point_count = (size_t)points->length / 24, corner_count = (size_t)corners->length / 8;
   if (point_count >= UINT32_MAX || corner_count >= UINT32_MAX) return vs_fail_memory(vm);
@@ -120,10 +119,10 @@ static vs_status load_piece(loading *l, vs_value piece, size_t i) {
   vs_status ok = list_of_piece(l, piece, &all);
   uint32_t *shell = vs_fresh(all.face_count + 1, sizeof *shell);
   unsigned char *open = vs_fresh(all.face_count + 1, 1);
-  if (ok && (!shell || !open)) ok = vs_fail_memory(f->vm);
-  if (ok && !vs_face_list_shells(f->store, &all, shell, open, &e)) ok = vs_bind_error(f->vm, &e);
+  if (ok && (!shell || !open)) ok = vs_fail_memory(vs_call_vm(f));
+  if (ok && !vs_face_list_shells(vs_call_store(f), &all, shell, open, &e)) ok = vs_bind_error(vs_call_vm(f), &e);
   for (uint32_t k = 0; ok && k < all.face_count; k++)
-    if (!copy_face(open[shell[k]] ? &l->left : &closed, &all, k)) ok = vs_fail_memory(f->vm);
+    if (!copy_face(open[shell[k]] ? &l->left : &closed, &all, k)) ok = vs_fail_memory(vs_call_vm(f));
   l->piece_end[i] = l->left.face_count;
   if (ok && closed.face_count) ok = give_faces(l, &closed, i, false);
   vs_face_list_free(&all);
@@ -169,9 +168,9 @@ static vs_status give_left(loading *l, const uint32_t *shell, const unsigned cha
   for (size_t i = 0; ok && i < l->piece_count; i++) {
     vs_face_list solid = { 0 }, sheet = { 0 };
     for (uint32_t k = first[i]; ok && k != UINT32_MAX; k = next[k])
-      if (!copy_face(&solid, left, k)) ok = vs_fail_memory(l->f->vm);
+      if (!copy_face(&solid, left, k)) ok = vs_fail_memory(vs_call_vm(l->f));
     for (uint32_t k = begin; ok && k < l->piece_end[i]; k++)
-      if (open[shell[k]] && !copy_face(&sheet, left, k)) ok = vs_fail_memory(l->f->vm);
+      if (open[shell[k]] && !copy_face(&sheet, left, k)) ok = vs_fail_memory(vs_call_vm(l->f));
     begin = (uint32_t)l->piece_end[i];
     if (ok && solid.face_count) ok = give_faces(l, &solid, i, true);
     if (ok && sheet.face_count) ok = give_faces(l, &sheet, i, false);
@@ -191,8 +190,8 @@ static vs_status load_left(loading *l) {
   unsigned char *open = vs_fresh(n, 1);
   double *area = vs_zeros(n, sizeof *area), *best = vs_zeros(n, sizeof *best);
   vs_status ok = shell && owner && next && open && area && best && vs_face_list_compact(&l->left)
-                     ? VS_OK : vs_fail_memory(f->vm);
-  if (ok && !vs_face_list_shells(f->store, &l->left, shell, open, &e)) ok = vs_bind_error(f->vm, &e);
+                     ? VS_OK : vs_fail_memory(vs_call_vm(f));
+  if (ok && !vs_face_list_shells(vs_call_store(f), &l->left, shell, open, &e)) ok = vs_bind_error(vs_call_vm(f), &e);
   if (ok) {
     find_owners(l, shell, owner, area, best);
     ok = give_left(l, shell, open, owner, next);
@@ -209,12 +208,13 @@ static vs_status load_left(loading *l) {
 /* (%loaded-faces pieces): pieces is a list of #(points corners form). Returns the list of (piece object mixed):
  * the number of the piece whose material the object has, and whether faces of other pieces are among its own. */
 vs_status vs_p_loaded_faces(vs_args *f, vs_value *out) {
-  VS_ROOTS(f->vm, r, 2); /* roots: the result, the pieces that remain */
-  r[0] = VS_NIL, r[1] = f->arg[0].value;
+  vs_scheme *vm = vs_call_vm(f);
+  VS_ROOTS(vm, r, 2); /* roots: the result, the pieces that remain */
+  r[0] = VS_NIL, r[1] = vs_arg_value(f, 0);
   loading l = { .f = f, .made = &r[0] };
   for (vs_value p = r[1]; vs_is_pair(p); p = vs_cdr(p)) l.piece_count++;
   l.piece_end = vs_fresh(l.piece_count + 1, sizeof *l.piece_end);
-  vs_status ok = l.piece_end ? VS_OK : vs_fail_memory(f->vm);
+  vs_status ok = l.piece_end ? VS_OK : vs_fail_memory(vm);
   for (size_t i = 0; ok && i < l.piece_count; i++, r[1] = vs_cdr(r[1])) ok = load_piece(&l, vs_car(r[1]), i);
   ok = ok && load_left(&l);
   vs_face_list_free(&l.left);

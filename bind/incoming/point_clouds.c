@@ -1,6 +1,7 @@
 /* Reads clouds of points for programs. */
-#include "bind/build.h"
 #include "bind/call/call.h"
+#include "bind/call/give.h"
+#include "bind/call/raise.h"
 #include "bind/call/refuse.h"
 #include "bind/constructors/files.h"
 #include "geometry/files/pointfile.h"

@@ -1,8 +1,8 @@
 /* Searches an object for marked scopes. A mark is an object of its own kind, without geometry, that is created in a
  * scope. The library rules.scm creates marks like objects of define-primitive, so that they are moved and copied
  * together with the objects around them. */
-#include "bind/build.h"
-#include "bind/call/call.h"
+#include "bind/call/give.h"
+#include "bind/call/positional.h"
 #include "bind/rules/derivation.h"
 #include "bind/rules/move_scopes.h"
 
@@ -61,11 +61,12 @@ typedef struct {
 /* (%find-scopes o): returns a list of (number . matrix) in the order of the tree: the number of a mark, and the
  * placement of the mark. */
 vs_status vs_p_marks(vs_args *f, vs_value *out) {
-  vs_nodemap known = { .store = f->store };
+  vs_scheme *vm = vs_call_vm(f);
+  vs_nodemap known = { .store = vs_call_store(f) };
   placed *stack = NULL, *found = NULL;
   size_t count = 0, room = 0, found_count = 0, found_room = 0;
-  bool ok = note_marks(f->arg[0].ref.node, &known) && VS_GROW(stack, room, 1);
-  if (ok) stack[count++] = (placed){ f->arg[0].ref.node, vs_affine_identity() };
+  bool ok = note_marks(vs_arg_ref(f, 0).node, &known) && VS_GROW(stack, room, 1);
+  if (ok) stack[count++] = (placed){ vs_arg_ref(f, 0).node, vs_affine_identity() };
   while (ok && count) {
     placed p = stack[--count];
     const uint64_t *seen = vs_nodemap_get(&known, p.node);
@@ -81,13 +82,13 @@ vs_status vs_p_marks(vs_args *f, vs_value *out) {
   }
   vs_nodemap_free(&known);
   free(stack);
-  if (!ok) return free(found), vs_fail_memory(f->vm);
-  VS_ROOTS(f->vm, r, 2);
+  if (!ok) return free(found), vs_fail_memory(vm);
+  VS_ROOTS(vm, r, 2);
   r[0] = VS_NIL;
   for (size_t i = found_count; ok && i-- > 0;)
     ok = vs_bind_give_matrix(f, &found[i].map, &r[1]) &&
-         vs_cons(f->vm, vs_fix(VS_AS(custom, found[i].node)->values->id), r[1], &r[1]) &&
-         vs_cons(f->vm, r[1], r[0], &r[0]) && vs_poll(f->vm, 8);
+         vs_cons(vm, vs_fix(VS_AS(custom, found[i].node)->values->id), r[1], &r[1]) &&
+         vs_cons(vm, r[1], r[0], &r[0]) && vs_poll(vm, 8);
   free(found);
   *out = r[0];
   return ok ? VS_OK : VS_ERROR;
@@ -95,39 +96,42 @@ vs_status vs_p_marks(vs_args *f, vs_value *out) {
 
 /* Returns a copy of s that has the mark of this number. If it fails, sets the error and returns NULL. */
 static vs_scope *with_mark(vs_args *f, vs_scope *s, int64_t number) {
-  const vs_bind *b = f->bind;
+  vs_scheme *vm = vs_call_vm(f);
+  const vs_bind *b = vs_call_bind(f);
   vs_scope *c = NULL;
   if ((uint64_t)number >= b->ticket_count || !b->tickets[number])
-    vs_fail(f->vm, f->vm->sym.error, "there is no mark of number %lld", (long long)number);
+    vs_fail(vm, vm->sym.error, "there is no mark of number %lld", (long long)number);
   else if (!(c = vs_scope_copy(s)))
-    vs_fail_memory(f->vm);
+    vs_fail_memory(vm);
   else if (!vs_scope_set_mark(c, b->tickets[number]))
-    vs_scope_release(c), c = NULL, vs_fail_memory(f->vm);
+    vs_scope_release(c), c = NULL, vs_fail_memory(vm);
   return c;
 }
 
 /* (%scope-mark s mark): adds the mark to the objects of the derivation, and returns a copy of s that has the mark. */
 vs_status vs_p_scope_mark(vs_args *f, vs_value *out) {
-  const vs_node *n = f->arg[1].ref.node;
-  vs_derivation *d = f->bind->growing;
-  if (!d) return vs_fail(f->vm, f->vm->sym.error, "works only in a rule: outside of a rule there is no scope");
-  if (!vs_rules_gather(d, f->arg[1].ref, f->arg[0].scope->flags)) return VS_ERROR;
-  vs_scope *s = with_mark(f, f->arg[0].scope, VS_AS(custom, n)->values->id);
-  return s ? vs_bind_give_scope(f->vm, s, out) : VS_ERROR;
+  vs_scheme *vm = vs_call_vm(f);
+  const vs_node *n = vs_arg_ref(f, 1).node;
+  vs_derivation *d = vs_call_bind(f)->growing;
+  if (!d) return vs_fail(vm, vm->sym.error, "works only in a rule: outside of a rule there is no scope");
+  if (!vs_rules_gather(d, vs_arg_ref(f, 1), vs_arg_scope(f, 0)->flags)) return VS_ERROR;
+  vs_scope *s = with_mark(f, vs_arg_scope(f, 0), VS_AS(custom, n)->values->id);
+  return s ? vs_bind_give_scope(vm, s, out) : VS_ERROR;
 }
 
 /* (%scope-found s number matrix): returns a copy of s that is moved by the matrix and has the mark of this number. */
 vs_status vs_p_scope_found(vs_args *f, vs_value *out) {
-  vs_scope *s = with_mark(f, f->arg[0].scope, f->arg[1].integer);
+  vs_scope *s = with_mark(f, vs_arg_scope(f, 0), vs_arg_integer(f, 1));
   if (!s) return VS_ERROR;
-  vs_scope *at = vs_scope_placed(s, &f->arg[2].matrix);
+  vs_affine m = vs_arg_matrix(f, 2);
+  vs_scope *at = vs_scope_placed(s, &m);
   vs_scope_release(s);
-  return vs_bind_give_scope(f->vm, at, out);
+  return vs_bind_give_scope(vs_call_vm(f), at, out);
 }
 
 /* (%scope-mark-number s): returns the number of the scope's mark, or #f. */
 vs_status vs_p_scope_mark_number(vs_args *f, vs_value *out) {
-  const vs_scope_extra *e = f->arg[0].scope->extra;
+  const vs_scope_extra *e = vs_arg_scope(f, 0)->extra;
   *out = e && e->mark ? vs_fix(e->mark->id) : VS_FALSE;
   return VS_OK;
 }

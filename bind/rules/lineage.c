@@ -2,7 +2,7 @@
  * table that finds the record of an object. */
 #include "bind/rules/lineage.h"
 
-#include "bind/call/call.h"
+#include "bind/call/positional.h"
 #include "bind/state.h"
 #include "vm/values/heap.h"
 
@@ -93,20 +93,21 @@ static bool symbol_or_false(vs_scheme *vm, const char *name, vs_value *out) {
  * values are: the number of the parent entry, the position in the parent entry, the number of scopes, the index of a
  * single scope, the rule, the operator. */
 vs_status vs_p_derivation_record(vs_args *f, vs_value *out) {
-  const vs_lineage *r = record_of(f->bind, f->arg[0].ref.node);
-  VS_ROOTS(f->vm, v, 2);
+  vs_scheme *vm = vs_call_vm(f);
+  const vs_lineage *r = record_of(vs_call_bind(f), vs_arg_ref(f, 0).node);
+  VS_ROOTS(vm, v, 2);
   if (!r) return *out = VS_FALSE, VS_OK;
-  if (!vs_make_vector(f->vm, 6 * r->count, VS_FALSE, &v[0])) return VS_ERROR;
+  if (!vs_make_vector(vm, 6 * r->count, VS_FALSE, &v[0])) return VS_ERROR;
   for (size_t i = 0; i < r->count; i++) {
     const vs_lineage_entry *e = &r->at[i];
     const uint32_t numbers[4] = { e->parent, e->position, e->count, e->index };
     for (int k = 0; k < 6; k++) {
       v[1] = k < 4 ? vs_fix(numbers[k]) : VS_FALSE;
-      if (k >= 4 && !symbol_or_false(f->vm, k == 4 ? r->sites[e->site].rule : r->sites[e->site].op, &v[1]))
+      if (k >= 4 && !symbol_or_false(vm, k == 4 ? r->sites[e->site].rule : r->sites[e->site].op, &v[1]))
         return VS_ERROR;
-      vs_gc_store(f->vm, vs_object_of(v[0]), &vs_as_vector(v[0])->at[6 * i + (size_t)k], v[1]);
+      vs_gc_store(vm, vs_object_of(v[0]), &vs_as_vector(v[0])->at[6 * i + (size_t)k], v[1]);
     }
-    if (!vs_poll_turn(f->vm, i, 8)) return VS_ERROR;
+    if (!vs_poll_turn(vm, i, 8)) return VS_ERROR;
   }
   *out = v[0];
   return VS_OK;

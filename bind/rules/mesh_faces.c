@@ -7,9 +7,10 @@
 #include "bind/rules/mesh_faces.h"
 
 #include "bind/call/call.h"
+#include "bind/call/context.h"
+#include "bind/call/raise.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
-#include "bind/measures.h"
 #include "bind/rules/derivation.h"
 #include "bind/rules/make_scopes.h"
 #include "geometry/plane/planar_evaluation.h"

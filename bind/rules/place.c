@@ -6,7 +6,6 @@
 #include "bind/measures.h"
 #include "bind/queries.h"
 
-#include "bind/state.h"
 #include "geometry/measure/node_measures.h"
 #include "solids/deformed.h"
 

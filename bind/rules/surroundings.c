@@ -10,9 +10,9 @@
  * scope that is a closed mesh. */
 #include "bind/rules/surroundings.h"
 
-#include "bind/build.h"
 #include "bind/call/call.h"
-#include "bind/call/refuse.h"
+#include "bind/call/give.h"
+#include "bind/call/raise.h"
 #include "bind/measures.h"
 #include "bind/rules/derivation.h"
 

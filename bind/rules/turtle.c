@@ -2,15 +2,15 @@
  *
  * The columns of the frame are left (x), up (y) and ahead (z). A yaw rotates to the left, a pitch upwards, and a roll
  * to the right about the direction ahead, as an aircraft banks. */
-#include "bind/call/call.h"
+#include "bind/call/positional.h"
 #include "bind/rules/derivation.h"
 
 #define TURTLE VS_SCOPE_BIT(TURTLE)
 
 static vs_scope *changed(vs_args *f) {
   if (!vs_rules_class(f, 0, TURTLE)) return NULL;
-  vs_scope *s = vs_scope_copy(f->arg[0].scope);
-  if (!s) vs_fail_memory(f->vm);
+  vs_scope *s = vs_scope_copy(vs_arg_scope(f, 0));
+  if (!s) vs_fail_memory(vs_call_vm(f));
   return s;
 }
 
@@ -20,8 +20,8 @@ vs_status vs_p_turtle_forward(vs_args *f, vs_value *out) {
   vs_scope *s = changed(f);
   if (!s) return VS_ERROR;
   vs_affine *m = frame_of(s);
-  for (int r = 0; r < 3; r++) m->m[r][3] += m->m[r][2] * f->arg[1].real;
-  return vs_bind_give_scope(f->vm, s, out);
+  for (int r = 0; r < 3; r++) m->m[r][3] += m->m[r][2] * vs_arg_real(f, 1);
+  return vs_bind_give_scope(vs_call_vm(f), s, out);
 }
 
 /* Rotates the turtle about one of its own axes, through its position. */
@@ -31,23 +31,23 @@ static vs_status turned(vs_args *f, int axis, double angle, vs_value *out) {
   vs_affine *m = frame_of(s);
   vs_affine turn = vs_affine_rotation(vs_affine_column(m, 3), vs_affine_column(m, axis), angle);
   *m = vs_affine_multiply(&turn, m);
-  return vs_bind_give_scope(f->vm, s, out);
+  return vs_bind_give_scope(vs_call_vm(f), s, out);
 }
-vs_status vs_p_turtle_yaw(vs_args *f, vs_value *out) { return turned(f, 1, f->arg[1].real, out); }
-vs_status vs_p_turtle_pitch(vs_args *f, vs_value *out) { return turned(f, 0, -f->arg[1].real, out); }
-vs_status vs_p_turtle_roll(vs_args *f, vs_value *out) { return turned(f, 2, f->arg[1].real, out); }
+vs_status vs_p_turtle_yaw(vs_args *f, vs_value *out) { return turned(f, 1, vs_arg_real(f, 1), out); }
+vs_status vs_p_turtle_pitch(vs_args *f, vs_value *out) { return turned(f, 0, -vs_arg_real(f, 1), out); }
+vs_status vs_p_turtle_roll(vs_args *f, vs_value *out) { return turned(f, 2, vs_arg_real(f, 1), out); }
 
 vs_status vs_p_turtle_width(vs_args *f, vs_value *out) {
   vs_scope *s = changed(f);
   if (!s) return VS_ERROR;
-  s->as.turtle.width = f->arg[1].real;
-  return vs_bind_give_scope(f->vm, s, out);
+  s->as.turtle.width = vs_arg_real(f, 1);
+  return vs_bind_give_scope(vs_call_vm(f), s, out);
 }
 vs_status vs_p_turtle_height(vs_args *f, vs_value *out) {
   vs_scope *s = changed(f);
   if (!s) return VS_ERROR;
-  s->as.turtle.height = f->arg[1].real;
-  return vs_bind_give_scope(f->vm, s, out);
+  s->as.turtle.height = vs_arg_real(f, 1);
+  return vs_bind_give_scope(vs_call_vm(f), s, out);
 }
 
 /* Rotates the direction ahead towards the vector (tropism). The angle of this rotation is the strength times the angle
@@ -56,13 +56,13 @@ vs_status vs_p_turtle_toward(vs_args *f, vs_value *out) {
   vs_scope *s = changed(f);
   if (!s) return VS_ERROR;
   vs_affine *m = frame_of(s);
-  vs_vec3 heading = vs_affine_column(m, 2), to = vs_v3_unit(f->arg[1].point), axis = vs_v3_cross(heading, to);
+  vs_vec3 heading = vs_affine_column(m, 2), to = vs_v3_unit(vs_arg_point(f, 1)), axis = vs_v3_cross(heading, to);
   double angle = atan2(vs_v3_length(axis), vs_v3_dot(heading, to));
   if (vs_v3_length(axis) > 1e-12) {
-    vs_affine turn = vs_affine_rotation(vs_affine_column(m, 3), axis, angle * f->arg[2].real);
+    vs_affine turn = vs_affine_rotation(vs_affine_column(m, 3), axis, angle * vs_arg_real(f, 2));
     *m = vs_affine_multiply(&turn, m);
   }
-  return vs_bind_give_scope(f->vm, s, out);
+  return vs_bind_give_scope(vs_call_vm(f), s, out);
 }
 
 /* Makes the current cross-section the back of the next hexahedron. */
@@ -71,17 +71,18 @@ vs_status vs_p_turtle_back(vs_args *f, vs_value *out) {
   if (!s) return VS_ERROR;
   for (int c = 0; c < 4; c++) s->as.turtle.back[c] = vs_scope_corner(s, c & 1, c >> 1, 1);
   s->backed = true;
-  return vs_bind_give_scope(f->vm, s, out);
+  return vs_bind_give_scope(vs_call_vm(f), s, out);
 }
 
 /* Makes the current cross-section the front of a hexahedron, and applies the rule to it. */
 vs_status vs_p_turtle_front(vs_args *f, vs_value *out) {
-  VS_ROOTS(f->vm, r, 2);
+  vs_scheme *vm = vs_call_vm(f);
+  VS_ROOTS(vm, r, 2);
   if (!vs_rules_class(f, 0, TURTLE)) return VS_ERROR;
-  vs_scope *s = f->arg[0].scope;
-  r[0] = f->arg[1].value;
+  vs_scope *s = vs_arg_scope(f, 0);
+  r[0] = vs_arg_value(f, 1);
   if (!s->backed)
-    return vs_fail(f->vm, f->vm->sym.error, "the turtle has no back yet: (turtle-back) sets it before it goes forward");
+    return vs_fail(vm, vm->sym.error, "the turtle has no back yet: (turtle-back) sets it before it goes forward");
   vs_derivation *d = vs_rules_begin(f, &r[1]);
   vs_rule_task *t = d ? vs_task_new(d, 1, false) : NULL;
   if (!t) return VS_ERROR;

@@ -7,18 +7,18 @@
 #include <math.h>
 #include <string.h>
 
-#include "bind/build.h"
+#include "bind/call/give.h"
 #include "bind/data.h"
+#include "bind/functions/function_values.h"
 #include "bind/incoming/file_texts.h"
 #include "bind/incoming/model_bytes.h"
-#include "bind/functions/function_values.h"
 #include "bind/objects.h"
 #include "bind/procedures.h"
 #include "bind/records.h"
 #include "bind/reserved.h"
+#include "bind/scene/ray_hits.h"
 #include "bind/state.h"
 #include "model/store/nodemap.h"
-#include "bind/scene/ray_hits.h"
 #include "vm/front/environment.h"
 #include "vm/machine/program.h"
 #include "vm/machine/record_call.h"

@@ -7,8 +7,8 @@
 
 #include <math.h>
 
-#include "bind/call/take.h"
-#include "bind/measures.h"
+#include "bind/call/context.h"
+#include "bind/call/precision.h"
 #include "geometry/measure/node_measures.h"
 #include "geometry/measure/ray_tree.h"
 #include "geometry/parts.h"

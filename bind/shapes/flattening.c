@@ -6,10 +6,11 @@
 #include <string.h>
 
 #include "bind/build.h"
-#include "bind/call/call.h"
-#include "bind/call/refuse.h"
+#include "bind/call/give.h"
+#include "bind/call/positional.h"
+#include "bind/call/precision.h"
+#include "bind/call/raise.h"
 #include "bind/call/scratch.h"
-#include "bind/call/take.h"
 #include "bind/constructors/operations.h"
 #include "bind/measures.h"
 #include "bind/queries.h"
@@ -85,28 +86,29 @@ static bool end_loop(void *context) {
 
 /* Computes the triangles of argument 0 as finely as `area` does, and their net. */
 static bool begin(sheet *s, vs_args *f) {
+  vs_scheme *vm = vs_call_vm(f);
   vs_error e = { 0 };
   vs_bounds b;
   bool several;
   *s = (sheet){ .f = f };
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return false;
-  vs_ref ref = f->arg[0].ref, *parts;
+  vs_ref ref = vs_arg_ref(f, 0), *parts;
   size_t count;
   if (ref.node->class_ == VS_SOLID) {
-    if (!vs_bend_triangles(f->vm, ref, &s->mesh)) return false;
+    if (!vs_bend_triangles(vm, ref, &s->mesh)) return false;
   } else {
-    vs_fineness facets = { .tolerance = vs_bind_tolerance(f->vm), .segments = vs_bind_segments(f->vm) };
-    if (!vs_node_bounds(ref.node, &b, &e)) return vs_bind_error(f->vm, &e);
+    vs_fineness facets = { .tolerance = vs_bind_tolerance(vm), .segments = vs_bind_segments(vm) };
+    if (!vs_node_bounds(ref.node, &b, &e)) return vs_bind_error(vm, &e);
     if (!(facets.tolerance > 0)) facets.tolerance = fmax(vs_bounds_diagonal(&b) / 65536, 1e-300);
-    if (!vs_several_parts(ref, &parts, &count)) return vs_fail_memory(f->vm);
+    if (!vs_several_parts(ref, &parts, &count)) return vs_fail_memory(vm);
     bool ok = true;
     for (size_t i = 0; ok && i < count; i++) ok = vs_tessellate(parts[i].node, &facets, &s->mesh, &e);
     vs_several_free(parts, count);
-    if (!ok) return vs_bind_error(f->vm, &e);
+    if (!ok) return vs_bind_error(vm, &e);
   }
   if (vs_flat_net_make(&s->net, &s->mesh, &several)) return true;
-  return several ? vs_fail(f->vm, f->vm->sym.range, "more than two faces meet along an edge; give each part by itself")
-                 : vs_fail_memory(f->vm);
+  return several ? vs_fail(vm, vm->sym.range, "more than two faces meet along an edge; give each part by itself")
+                 : vs_fail_memory(vm);
 }
 
 /* Moves the piece to the right of the position `from`, and returns the position of its right side. */
@@ -120,10 +122,11 @@ static double beside(sheet *s, uint32_t piece, double from) {
 }
 
 static vs_status list_of(vs_args *f, vs_value *items, size_t n, vs_value *out) {
-  VS_ROOTS(f->vm, r, 1);
+  vs_scheme *vm = vs_call_vm(f);
+  VS_ROOTS(vm, r, 1);
   r[0] = VS_NIL;
   for (size_t i = n; i-- > 0;)
-    if (!vs_cons(f->vm, items[i], r[0], &r[0])) return VS_ERROR;
+    if (!vs_cons(vm, items[i], r[0], &r[0])) return VS_ERROR;
   *out = r[0];
   return VS_OK;
 }
@@ -131,19 +134,20 @@ static vs_status list_of(vs_args *f, vs_value *items, size_t n, vs_value *out) {
 /* (%unroll s): returns a list: the flat region, whether the surface is doubly curved, its curvature, gap and twist
  * (flat_net.h). The region is #f if its pieces overlap in the plane or the surface is doubly curved. */
 vs_status vs_p_unroll(vs_args *f, vs_value *out) {
+  vs_scheme *vm = vs_call_vm(f);
   sheet s;
   vs_flatness flat;
   vs_error e = { 0 };
-  VS_ROOTS(f->vm, r, 5);
+  VS_ROOTS(vm, r, 5);
   if (!begin(&s, f)) return sheet_free(&s), VS_ERROR;
-  bool ok = vs_flat_net_unroll(&s.net, &flat) || vs_fail_memory(f->vm);
+  bool ok = vs_flat_net_unroll(&s.net, &flat) || vs_fail_memory(vm);
   bool curved = ok && flat.worst > 1e-6;
   double right = NAN;
   vs_area whole = { 0 };
   for (uint32_t p = 0; ok && !curved && p < s.net.pieces; p++) {
     right = beside(&s, p, right) + .05 * s.net.size;
     s.chain_count = 0;
-    ok = vs_flat_net_borders(&s.net, p, add_border, end_loop, &s) || vs_fail_memory(f->vm);
+    ok = vs_flat_net_borders(&s.net, p, add_border, end_loop, &s) || vs_fail_memory(vm);
     double sum = 0, covered = 0;
     for (uint32_t t = 0; ok && t < s.mesh.triangle_count; t++) {
       const vs_vec2 *c = s.net.at[t];
@@ -151,7 +155,7 @@ vs_status vs_p_unroll(vs_args *f, vs_value *out) {
         sum += fabs((c[1].x - c[0].x) * (c[2].y - c[0].y) - (c[1].y - c[0].y) * (c[2].x - c[0].x)) / 2;
     }
     ok = ok && (vs_area_of_chain((const vs_vec2(*)[2])s.chain, s.chain_count, "unroll", &whole, &e) ||
-                vs_bind_error(f->vm, &e));
+                vs_bind_error(vm, &e));
     for (size_t l = 0, first = 0; ok && l < whole.loop_count; first += whole.size[l++])
       for (size_t i = 0; i < whole.size[l]; i++) {
         vs_vec2 a = whole.at[first + i], b = whole.at[first + (i + 1) % whole.size[l]];
@@ -160,11 +164,11 @@ vs_status vs_p_unroll(vs_args *f, vs_value *out) {
     vs_area_free(&whole), whole = (vs_area){ 0 };
     if (ok && fabs(sum - covered) > 1e-6 * sum) /* the areas of the pieces exceed the covered area: the pieces overlap
                                                  * in the plane */
-      ok = vs_fail(f->vm, f->vm->sym.range,
+      ok = vs_fail(vm, vm->sym.range,
                    "the surface overlaps itself when it is laid flat; cut it into shorter parts with do-slice");
   }
   r[0] = VS_FALSE;
-  if (ok && !curved) ok = vs_bind_give_node(f, vs_node_of_outline(f->store, &s.outline, NULL), &r[0]);
+  if (ok && !curved) ok = vs_bind_give_node(f, vs_node_of_outline(vs_call_store(f), &s.outline, NULL), &r[0]);
   r[1] = curved ? VS_TRUE : VS_FALSE;
   r[2] = vs_flonum(flat.curvature), r[3] = vs_flonum(flat.gap), r[4] = vs_flonum(flat.twist);
   sheet_free(&s);
@@ -176,7 +180,7 @@ vs_status vs_p_unroll(vs_args *f, vs_value *out) {
 static bool folds(sheet *s, uint32_t piece, bool mountain, vs_value *out) {
   vs_args *f = s->f;
   const vs_flat_net *n = &s->net;
-  VS_ROOTS(f->vm, r, 2);
+  VS_ROOTS(vs_call_vm(f), r, 2);
   r[0] = VS_NIL;
   for (uint32_t e = 0; e < n->edges.edge_count; e++) {
     const vs_mesh_edge *g = &n->edges.edges[e];
@@ -192,7 +196,7 @@ static bool folds(sheet *s, uint32_t piece, bool mountain, vs_value *out) {
     vs_flat_net_ends(n, t, e, ends);
     for (int k = 0; k < 2; k++)
       if (!vs_bind_give_point(f, vs_v3(ends[k].x + s->shift, ends[k].y, 0), &r[1]) ||
-          !vs_cons(f->vm, r[1], r[0], &r[0]))
+          !vs_cons(vs_call_vm(f), r[1], r[0], &r[0]))
         return false;
   }
   *out = r[0];
@@ -204,7 +208,7 @@ static bool folds(sheet *s, uint32_t piece, bool mountain, vs_value *out) {
 static bool numbers(sheet *s, uint32_t piece, const uint32_t *number, vs_value *out) {
   vs_args *f = s->f;
   const vs_flat_net *n = &s->net;
-  VS_ROOTS(f->vm, r, 2);
+  VS_ROOTS(vs_call_vm(f), r, 2);
   r[0] = VS_NIL;
   for (uint32_t e = 0; e < n->edges.edge_count; e++)
     for (int side = 0; number[e] && side < 2; side++) {
@@ -215,9 +219,9 @@ static bool numbers(sheet *s, uint32_t piece, const uint32_t *number, vs_value *
       bool back = (ends[1].x - ends[0].x) * (w.y - ends[0].y) < (ends[1].y - ends[0].y) * (w.x - ends[0].x);
       for (int k = 1; k >= 0; k--)
         if (!vs_bind_give_point(f, vs_v3(ends[k ^ back].x + s->shift, ends[k ^ back].y, 0), &r[1]) ||
-            !vs_cons(f->vm, r[1], r[0], &r[0]))
+            !vs_cons(vs_call_vm(f), r[1], r[0], &r[0]))
           return false;
-      if (!vs_cons(f->vm, vs_fix((int64_t)number[e]), r[0], &r[0])) return false;
+      if (!vs_cons(vs_call_vm(f), vs_fix((int64_t)number[e]), r[0], &r[0])) return false;
     }
   *out = r[0];
   return true;
@@ -226,39 +230,40 @@ static bool numbers(sheet *s, uint32_t piece, const uint32_t *number, vs_value *
 /* (%unfold solid width): returns a list of the number of faces, the number of cut edges without a tab, and for each
  * piece a list (region mountains valleys edges). */
 vs_status vs_p_unfold(vs_args *f, vs_value *out) {
+  vs_scheme *vm = vs_call_vm(f);
   sheet s;
   vs_glue_tab *tabs = NULL;
   size_t tab_count = 0, missing = 0;
-  VS_ROOTS(f->vm, r, 6);
+  VS_ROOTS(vm, r, 6);
   r[4] = VS_NIL;
   if (!begin(&s, f)) return sheet_free(&s), VS_ERROR;
   if (s.net.faces > 5000)
-    return sheet_free(&s), vs_fail(f->vm, f->vm->sym.range,
+    return sheet_free(&s), vs_fail(vm, vm->sym.range,
                                    "the solid has %zu faces, and unfold takes 5000 at most; make it coarser with "
                                    "current-segments", s.net.faces);
   uint32_t *number = vs_zeros(s.net.edges.edge_count + 1, sizeof *number), count = 0;
-  bool ok = number != NULL || vs_fail_memory(f->vm);
-  if (ok && !vs_flat_net_unfold(&s.net, (vs_long_work){ vs_bind_keep_going, f->vm }))
-    ok = vs_poll(f->vm, 1) ? vs_fail_memory(f->vm) : VS_ERROR;
-  if (ok && f->arg[1].real > 0) {
+  bool ok = number != NULL || vs_fail_memory(vm);
+  if (ok && !vs_flat_net_unfold(&s.net, (vs_long_work){ vs_bind_keep_going, vm }))
+    ok = vs_poll(vm, 1) ? vs_fail_memory(vm) : VS_ERROR;
+  if (ok && vs_arg_real(f, 1) > 0) {
     s.tab = vs_zeros(s.net.edges.edge_count + 1, sizeof *s.tab);
-    ok = (s.tab && vs_flat_net_tabs(&s.net, f->arg[1].real, &tabs, &tab_count, &missing)) || vs_fail_memory(f->vm);
+    ok = (s.tab && vs_flat_net_tabs(&s.net, vs_arg_real(f, 1), &tabs, &tab_count, &missing)) || vs_fail_memory(vm);
     for (size_t i = 0; ok && i < tab_count; i++) s.tab[tabs[i].edge] = &tabs[i];
   }
   for (size_t e = 0; ok && e < s.net.edges.edge_count; e++)
     if (!s.net.joined[e]) number[e] = ++count;
   double right = NAN;
   for (uint32_t p = 0; ok && p < s.net.pieces; p++) {
-    right = beside(&s, p, right) + 2 * f->arg[1].real + .05 * s.net.size;
-    ok = vs_flat_net_borders(&s.net, p, add_border, end_loop, &s) || vs_fail_memory(f->vm);
-    ok = ok && vs_bind_give_node(f, vs_node_of_outline(f->store, &s.outline, NULL), &r[0]) &&
+    right = beside(&s, p, right) + 2 * vs_arg_real(f, 1) + .05 * s.net.size;
+    ok = vs_flat_net_borders(&s.net, p, add_border, end_loop, &s) || vs_fail_memory(vm);
+    ok = ok && vs_bind_give_node(f, vs_node_of_outline(vs_call_store(f), &s.outline, NULL), &r[0]) &&
          folds(&s, p, true, &r[1]) && folds(&s, p, false, &r[2]) && numbers(&s, p, number, &r[3]);
     vs_outline_free(&s.outline);
     s.outline = (vs_outline){ 0 }, s.room = 0;
-    ok = ok && list_of(f, r, 4, &r[5]) && vs_cons(f->vm, r[5], r[4], &r[4]) && vs_poll(f->vm, 64);
+    ok = ok && list_of(f, r, 4, &r[5]) && vs_cons(vm, r[5], r[4], &r[4]) && vs_poll(vm, 64);
   }
-  ok = ok && vs_cons(f->vm, vs_fix((int64_t)missing), r[4], &r[4]) &&
-       vs_cons(f->vm, vs_fix((int64_t)s.net.faces), r[4], out);
+  ok = ok && vs_cons(vm, vs_fix((int64_t)missing), r[4], &r[4]) &&
+       vs_cons(vm, vs_fix((int64_t)s.net.faces), r[4], out);
   free(number), free(tabs);
   sheet_free(&s);
   return ok ? VS_OK : VS_ERROR;

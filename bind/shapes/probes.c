@@ -4,12 +4,13 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "bind/build.h"
-#include "bind/call/call.h"
+#include "bind/call/context.h"
+#include "bind/call/give.h"
+#include "bind/call/positional.h"
+#include "bind/call/raise.h"
 #include "bind/call/refuse.h"
 #include "bind/functions/function_values.h"
 #include "bind/measures.h"
-#include "bind/objects.h"
 #include "bind/print.h"
 #include "bind/queries.h"
 #include "bind/shapes/along_curves.h"
@@ -26,26 +27,27 @@
 
 /* (curve-intersections a b): returns the common points of two curves, in order along a. */
 vs_status vs_p_curve_intersections(vs_args *f, vs_value *out) {
+  vs_scheme *vm = vs_call_vm(f);
   vs_stations a, b;
   vs_meeting *found = NULL;
   size_t count = 0;
   vs_vec3 at;
-  VS_ROOTS(f->vm, r, 2);
+  VS_ROOTS(vm, r, 2);
   if (!vs_bind_stations(f, 0, &a)) return VS_ERROR;
   if (!vs_bind_stations(f, 1, &b)) return vs_stations_close(&a), VS_ERROR;
   double near = 1e-7 * fmax(a.length, b.length);
   vs_meetings_outcome outcome = vs_curves_meet(&a, &b, near, &found, &count, &at);
   vs_stations_close(&a), vs_stations_close(&b);
-  if (outcome == VS_MEETINGS_MEMORY) return vs_fail_memory(f->vm);
+  if (outcome == VS_MEETINGS_MEMORY) return vs_fail_memory(vm);
   if (outcome == VS_MEETINGS_ALONG) {
     char x[32], y[32], z[32];
     vs_bind_number_text(x, at.x), vs_bind_number_text(y, at.y), vs_bind_number_text(z, at.z);
-    return vs_fail(f->vm, f->vm->sym.range, "the curves lie on each other about (xyz %s %s %s)", x, y, z);
+    return vs_fail(vm, vm->sym.range, "the curves lie on each other about (xyz %s %s %s)", x, y, z);
   }
   bool ok = true;
   r[0] = VS_NIL;
   for (size_t i = count; ok && i-- > 0;)
-    ok = vs_bind_give_point(f, found[i].at, &r[1]) && vs_cons(f->vm, r[1], r[0], &r[0]);
+    ok = vs_bind_give_point(f, found[i].at, &r[1]) && vs_cons(vm, r[1], r[0], &r[0]);
   free(found);
   *out = r[0];
   return ok ? VS_OK : VS_ERROR;
@@ -72,36 +74,37 @@ static const vs_foreign_type probe_type = { .name = "an object's triangles", .re
 
 /* (%probe o): returns a probe of the solid or surface. */
 vs_status vs_p_probe(vs_args *f, vs_value *out) {
+  vs_scheme *vm = vs_call_vm(f);
   probe *w = NULL;
   size_t room = 0;
   vs_error e = { 0 };
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
-  vs_node *o = f->arg[0].ref.node;
-  if (vs_bind_is_empty(o) || (o->class_ != VS_SOLID && o->class_ != VS_SURFACE))
-    return vs_bind_refuse(f, "o", "a solid or a surface", f->arg[0].value);
-  if (!VS_GROW(w, room, 1)) return vs_fail_memory(f->vm);
+  vs_node *o = vs_arg_ref(f, 0).node;
+  if (vs_node_is_empty(o) || (o->class_ != VS_SOLID && o->class_ != VS_SURFACE))
+    return vs_bind_refuse(f, "o", "a solid or a surface", vs_arg_value(f, 0));
+  if (!VS_GROW(w, room, 1)) return vs_fail_memory(vm);
   *w = (probe){ 0 };
-  if (!vs_bend_triangles(f->vm, f->arg[0].ref, &w->mesh)) return probe_free(w), VS_ERROR;
+  if (!vs_bend_triangles(vm, vs_arg_ref(f, 0), &w->mesh)) return probe_free(w), VS_ERROR;
   vs_bounds b = vs_mesh_bounds(&w->mesh);
   w->size = vs_bounds_diagonal(&b);
   w->distance = vs_mesh_distance_new(&w->mesh);
-  if (!w->distance) return probe_free(w), vs_fail_memory(f->vm);
-  if (!vs_ray_tree_make(&w->tree, f->store, &w->mesh, &e)) return probe_free(w), vs_bind_error(f->vm, &e);
-  return vs_make_foreign(f->vm, &probe_type, w, 0, out);
+  if (!w->distance) return probe_free(w), vs_fail_memory(vm);
+  if (!vs_ray_tree_make(&w->tree, vs_call_store(f), &w->mesh, &e)) return probe_free(w), vs_bind_error(vm, &e);
+  return vs_make_foreign(vm, &probe_type, w, 0, out);
 }
 
 /* (%probe-near probe p): returns the point on the triangles nearest to p. */
 vs_status vs_p_probe_near(vs_args *f, vs_value *out) {
-  const probe *w = vs_foreign_get(f->arg[0].value, &probe_type);
-  vs_vec3 p = f->arg[1].point, slope = { 0, 0, 0 };
+  const probe *w = vs_foreign_get(vs_arg_value(f, 0), &probe_type);
+  vs_vec3 p = vs_arg_point(f, 1), slope = { 0, 0, 0 };
   double d = vs_mesh_distance_at(w->distance, p, &slope);
   return vs_bind_give_point(f, vs_v3_sub(p, vs_v3_scale(slope, d)), out);
 }
 
 /* (%probe-ray probe p v): returns the first point where the ray from p along v hits the triangles, or #f. */
 vs_status vs_p_probe_ray(vs_args *f, vs_value *out) {
-  const probe *w = vs_foreign_get(f->arg[0].value, &probe_type);
-  vs_vec3 p = f->arg[1].point, v = vs_v3_unit(f->arg[2].point);
+  const probe *w = vs_foreign_get(vs_arg_value(f, 0), &probe_type);
+  vs_vec3 p = vs_arg_point(f, 1), v = vs_v3_unit(vs_arg_point(f, 2));
   double at;
   *out = VS_FALSE;
   if (vs_ray_tree_meet(&w->tree, p, v, INFINITY, false, &at) == w->mesh.triangle_count) return VS_OK;
@@ -130,7 +133,8 @@ static double passes(const probe *w, const vs_stations *c, size_t t, double low,
 
 /* (%probe-curve probe c): returns the points where the curve intersects the triangles, in order along the curve. */
 vs_status vs_p_probe_curve(vs_args *f, vs_value *out) {
-  const probe *w = vs_foreign_get(f->arg[0].value, &probe_type);
+  vs_scheme *vm = vs_call_vm(f);
+  const probe *w = vs_foreign_get(vs_arg_value(f, 0), &probe_type);
   vs_stations c;
   double *found = NULL;
   size_t count = 0, room = 0;
@@ -151,16 +155,16 @@ vs_status vs_p_probe_curve(vs_args *f, vs_value *out) {
       bool known = false;
       for (size_t k = count; k-- > 0 && !known;) known = fabs(found[k] - s) <= blur;
       if (!known && count && c.path.closed && c.length - fabs(found[0] - s) <= blur) known = true;
-      if (!known) ok = VS_GROW(found, room, count + 1) || vs_fail_memory(f->vm);
+      if (!known) ok = VS_GROW(found, room, count + 1) || vs_fail_memory(vm);
       if (!known && ok) found[count++] = s;
       begin = share + 1e-9 + blur / fmax(high - low, blur);
     }
-    ok = ok && vs_poll(f->vm, 16);
+    ok = ok && vs_poll(vm, 16);
   }
-  VS_ROOTS(f->vm, r, 2);
+  VS_ROOTS(vm, r, 2);
   r[0] = VS_NIL;
   for (size_t i = count; ok && i-- > 0;)
-    ok = vs_bind_give_point(f, vs_station_at(&c, found[i]).at, &r[1]) && vs_cons(f->vm, r[1], r[0], &r[0]);
+    ok = vs_bind_give_point(f, vs_station_at(&c, found[i]).at, &r[1]) && vs_cons(vm, r[1], r[0], &r[0]);
   free(found);
   vs_stations_close(&c);
   *out = r[0];
@@ -170,7 +174,7 @@ vs_status vs_p_probe_curve(vs_args *f, vs_value *out) {
 /* (%curve-near c p): returns the distance along the curve of its point nearest to p. */
 vs_status vs_p_curve_near(vs_args *f, vs_value *out) {
   vs_stations c;
-  vs_vec3 p = f->arg[1].point;
+  vs_vec3 p = vs_arg_point(f, 1);
   if (!vs_bind_stations(f, 0, &c)) return VS_ERROR;
   double best = INFINITY, at = 0;
   size_t n = c.path.count - (c.path.closed ? 0 : 1);
@@ -196,14 +200,15 @@ vs_status vs_p_curve_near(vs_args *f, vs_value *out) {
 /* (%probe-geodesic probe p q): returns the points of the shortest path on the triangles, or the empty list if there is
  * none. */
 vs_status vs_p_probe_geodesic(vs_args *f, vs_value *out) {
-  const probe *w = vs_foreign_get(f->arg[0].value, &probe_type);
+  vs_scheme *vm = vs_call_vm(f);
+  const probe *w = vs_foreign_get(vs_arg_value(f, 0), &probe_type);
   vs_vec3 *at;
   size_t count;
-  VS_ROOTS(f->vm, r, 2);
-  if (!vs_mesh_geodesic(&w->mesh, f->arg[1].point, f->arg[2].point, &at, &count)) return vs_fail_memory(f->vm);
+  VS_ROOTS(vm, r, 2);
+  if (!vs_mesh_geodesic(&w->mesh, vs_arg_point(f, 1), vs_arg_point(f, 2), &at, &count)) return vs_fail_memory(vm);
   bool ok = true;
   r[0] = VS_NIL;
-  for (size_t i = count; ok && i-- > 0;) ok = vs_bind_give_point(f, at[i], &r[1]) && vs_cons(f->vm, r[1], r[0], &r[0]);
+  for (size_t i = count; ok && i-- > 0;) ok = vs_bind_give_point(f, at[i], &r[1]) && vs_cons(vm, r[1], r[0], &r[0]);
   free(at);
   *out = r[0];
   return ok ? VS_OK : VS_ERROR;
@@ -223,32 +228,33 @@ static bool polled(void *context) {
 /* (%probe-offset probe c d n): returns the curves on the triangles at distance d from the curve c, each as a list of
  * points. */
 vs_status vs_p_probe_offset(vs_args *f, vs_value *out) {
-  const probe *w = vs_foreign_get(f->arg[0].value, &probe_type);
+  vs_scheme *vm = vs_call_vm(f);
+  const probe *w = vs_foreign_get(vs_arg_value(f, 0), &probe_type);
   vs_stations c;
   vs_mesh_edges edges = { 0 };
   vs_offset_from *from = NULL;
   vs_offset_points found = { 0 };
-  size_t room = 0, n = (size_t)f->arg[3].integer;
-  VS_ROOTS(f->vm, r, 3);
+  size_t room = 0, n = (size_t)vs_arg_integer(f, 3);
+  VS_ROOTS(vm, r, 3);
   if (!vs_bind_stations(f, 1, &c)) return VS_ERROR;
   bool closed = c.path.closed, ok = VS_GROW(from, room, n + 1) && vs_mesh_edges_make(&edges, &w->mesh);
-  if (!ok) vs_fail_memory(f->vm);
+  if (!ok) vs_fail_memory(vm);
   for (size_t i = 0; ok && i < n + !closed; i++) {
     vs_station at = vs_station_at(&c, c.length * (double)i / (double)n);
     from[i] = (vs_offset_from){ at.at, at.tangent };
   }
   vs_stations_close(&c);
   if (ok) {
-    polling p = { f->vm, false };
+    polling p = { vm, false };
     vs_offset_row along = { from, n + !closed, closed };
-    ok = vs_mesh_offset_curve(&edges, &along, f->arg[2].real, (vs_poller){ polled, &p }, &found);
-    if (!ok && !p.stopped) vs_fail_memory(f->vm);
+    ok = vs_mesh_offset_curve(&edges, &along, vs_arg_real(f, 2), (vs_poller){ polled, &p }, &found);
+    if (!ok && !p.stopped) vs_fail_memory(vm);
   }
   vs_mesh_edges_free(&edges);
   r[0] = r[1] = VS_NIL;
   for (size_t i = found.count; ok && i-- > 0;) {
-    ok = vs_bind_give_point(f, found.at[i].at, &r[2]) && vs_cons(f->vm, r[2], r[1], &r[1]);
-    if (ok && found.at[i].first) ok = vs_cons(f->vm, r[1], r[0], &r[0]), r[1] = VS_NIL;
+    ok = vs_bind_give_point(f, found.at[i].at, &r[2]) && vs_cons(vm, r[2], r[1], &r[1]);
+    if (ok && found.at[i].first) ok = vs_cons(vm, r[1], r[0], &r[0]), r[1] = VS_NIL;
   }
   free(from), free(found.at);
   *out = r[0];
@@ -278,29 +284,30 @@ static void release(vs_tape_field *f) {
 /* (%distance-field o): returns the distance from a solid as a field. Uses a mesh with a quarter of the usual
  * tolerance. */
 vs_status vs_p_distance_field(vs_args *f, vs_value *out) {
+  vs_scheme *vm = vs_call_vm(f);
   distance_field *d = NULL;
   size_t room = 0;
   vs_error e = { 0 };
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
-  vs_ref ref = f->arg[0].ref;
-  if (ref.node->class_ != VS_SOLID) return vs_bind_refuse(f, "o", "a solid", f->arg[0].value);
-  vs_fineness facets = vs_bend_facets(f->vm, ref.node);
+  vs_ref ref = vs_arg_ref(f, 0);
+  if (ref.node->class_ != VS_SOLID) return vs_bind_refuse(f, "o", "a solid", vs_arg_value(f, 0));
+  vs_fineness facets = vs_bend_facets(vm, ref.node);
   facets.tolerance /= 4;
   vs_solid solid = { 0 };
-  vs_kernel_options options = { .job = vs_bind_job(f->vm) };
+  vs_kernel_options options = { .job = vs_bind_job(vm) };
   if (!vs_solid_evaluate(&ref, 1, &facets, &options, &solid, &e))
-    return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f->vm, &e);
+    return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(vm, &e);
   bool ok = VS_GROW(d, room, 1);
   if (ok) *d = (distance_field){ { 1, value, release }, vs_mesh_distance_new(&solid.mesh) };
   vs_solid_free(&solid);
-  if (!ok) return vs_fail_memory(f->vm);
-  if (!d->mesh) return free(d), vs_fail_memory(f->vm);
-  return vs_make_foreign(f->vm, &vs_tape_field_type, &d->field, 0, out);
+  if (!ok) return vs_fail_memory(vm);
+  if (!d->mesh) return free(d), vs_fail_memory(vm);
+  return vs_make_foreign(vm, &vs_tape_field_type, &d->field, 0, out);
 }
 
 /* (%field-value field x y z): returns the value of the field at a point. */
 vs_status vs_p_field_value(vs_args *f, vs_value *out) {
-  const vs_tape_field *field = vs_foreign_get(f->arg[0].value, &vs_tape_field_type);
+  const vs_tape_field *field = vs_foreign_get(vs_arg_value(f, 0), &vs_tape_field_type);
   return vs_bind_give_real(
-      f, field->value(field, (const double[]){ f->arg[1].real, f->arg[2].real, f->arg[3].real }, NULL), out);
+      f, field->value(field, (const double[]){ vs_arg_real(f, 1), vs_arg_real(f, 2), vs_arg_real(f, 3) }, NULL), out);
 }

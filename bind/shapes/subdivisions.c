@@ -5,10 +5,10 @@
 
 #include "bind/build.h"
 #include "bind/call/call.h"
+#include "bind/call/raise.h"
 #include "bind/call/refuse.h"
 #include "bind/call/take.h"
 #include "bind/measures.h"
-#include "bind/objects.h"
 #include "bind/print.h"
 #include "bind/queries.h"
 #include "bind/records.h"
@@ -184,7 +184,7 @@ vs_status vs_p_make_crust(vs_args *f, vs_value *out) {
   double t = f->arg[1].real, outwards = 0, inwards = t;
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
   vs_node *o = f->arg[0].ref.node;
-  if (vs_bind_is_empty(o)) return vs_bind_empty(f, "the object is empty, and has no crust", out);
+  if (vs_node_is_empty(o)) return vs_bind_empty(f, "the object is empty, and has no crust", out);
   if (o->class_ != VS_SOLID && o->class_ != VS_SURFACE)
     return vs_bind_refuse(f, "o", "a solid or a surface", f->arg[0].value);
   if (f->key[0].given) {

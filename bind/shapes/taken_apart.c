@@ -1,8 +1,8 @@
 /* Implements taken_apart.h, by which natives divide objects into parts. */
+#include "bind/call/context.h"
+#include "bind/call/precision.h"
+#include "bind/call/raise.h"
 #include "bind/shapes/taken_apart.h"
-#include "bind/call/refuse.h"
-#include "bind/call/take.h"
-#include "bind/measures.h"
 #include "geometry/tessellate.h"
 
 #include "geometry/measure/node_measures.h"

@@ -3,9 +3,8 @@
 
 #include "bind/build.h"
 #include "bind/call/call.h"
-#include "bind/call/refuse.h"
+#include "bind/call/precision.h"
 #include "bind/call/scratch.h"
-#include "bind/call/take.h"
 #include "bind/measures.h"
 #include "bind/origins.h"
 #include "bind/queries.h"

@@ -7,8 +7,7 @@
 #include <stdlib.h>
 
 #include "bind/build.h"
-#include "bind/call/call.h"
-#include "bind/call/refuse.h"
+#include "bind/call/positional.h"
 #include "bind/call/scratch.h"
 #include "bind/measures.h"
 #include "bind/origins.h"
@@ -54,12 +53,13 @@ static bool corners_of(summand *s) {
 }
 
 static vs_status begin(vs_args *f, int i, summand *s) {
-  *s = (summand){ .ref = f->arg[i].ref };
-  if (!vs_bend_triangles(f->vm, s->ref, &s->mesh)) return VS_ERROR;
-  if (!vs_mesh_edges_make(&s->edges, &s->mesh)) return vs_fail_memory(f->vm);
+  vs_scheme *vm = vs_call_vm(f);
+  *s = (summand){ .ref = vs_arg_ref(f, i) };
+  if (!vs_bend_triangles(vm, s->ref, &s->mesh)) return VS_ERROR;
+  if (!vs_mesh_edges_make(&s->edges, &s->mesh)) return vs_fail_memory(vm);
   s->convex = vs_mesh_is_convex(&s->edges);
   bool ok = s->convex ? corners_of(s) : vs_mesh_convex_faces(&s->edges, &s->faces);
-  return ok ? VS_OK : vs_fail_memory(f->vm);
+  return ok ? VS_OK : vs_fail_memory(vm);
 }
 
 /* The sum in the making: a growing list of nodes, which the call keeps. */
@@ -72,13 +72,13 @@ static vs_status add_node(sum *s, vs_node *n) {
   if (!vs_bind_keep(s->f, n)) return VS_ERROR;
   vs_ref *to = vs_bind_grow(s->f, &s->refs);
   if (!to) return VS_ERROR;
-  *to = (vs_ref){ n, vs_bind_origin(s->f->bind) };
+  *to = (vs_ref){ n, vs_bind_origin(vs_call_bind(s->f)) };
   return VS_OK;
 }
 
 static vs_node *moved(vs_args *f, vs_ref ref, vs_vec3 by) {
   struct vs_transform d = { .matrix = vs_affine_translation(by) };
-  return vs_node_new(f->store, VS_TRANSFORM, &d, &ref, 1);
+  return vs_node_new(vs_call_store(f), VS_TRANSFORM, &d, &ref, 1);
 }
 
 static vs_status add_moved(sum *s, vs_ref ref, vs_vec3 by) { return add_node(s, moved(s->f, ref, by)); }
@@ -88,10 +88,11 @@ static vs_status add_hull(sum *s, vs_cloud *cloud) {
   vs_mesh hull = { 0 };
   vs_points *points = NULL;
   if (vs_cloud_dimension(cloud) < 3) return vs_cloud_free(cloud), VS_OK;
-  bool ok = vs_cloud_hull(cloud, &hull) && (points = vs_points_new(s->f->store, hull.vertices, hull.vertex_count));
-  vs_node *made = ok ? vs_node_new(s->f->store, VS_HULL, &(struct vs_hull){ .points = points, .dimension = 3 }, NULL, 0)
-                     : NULL;
-  if (points) vs_points_release(s->f->store, points);
+  vs_store *store = vs_call_store(s->f);
+  bool ok = vs_cloud_hull(cloud, &hull) && (points = vs_points_new(store, hull.vertices, hull.vertex_count));
+  vs_node *made =
+      ok ? vs_node_new(store, VS_HULL, &(struct vs_hull){ .points = points, .dimension = 3 }, NULL, 0) : NULL;
+  if (points) vs_points_release(store, points);
   vs_mesh_free(&hull);
   vs_cloud_free(cloud);
   return add_node(s, made);
@@ -103,22 +104,22 @@ static vs_status add_sum_of_points(sum *s, const vs_vec3 *a, size_t n, const vs_
   bool ok = true;
   for (size_t i = 0; ok && i < n; i++)
     for (size_t k = 0; ok && k < m; k++) ok = vs_cloud_add(&cloud, vs_v3_add(a[i], b[k]));
-  return ok ? add_hull(s, &cloud) : (vs_cloud_free(&cloud), vs_fail_memory(s->f->vm));
+  return ok ? add_hull(s, &cloud) : (vs_cloud_free(&cloud), vs_fail_memory(vs_call_vm(s->f)));
 }
 
 /* Adds the hull of copies of `whole`, moved by each of the points. */
 static vs_status add_copies(sum *s, const vs_vec3 *at, size_t n, vs_ref whole) {
   vs_ref *child = vs_bind_scratch(s->f, n * sizeof *child);
-  vs_points *none = child ? vs_points_new(s->f->store, NULL, 0) : NULL;
+  vs_points *none = child ? vs_points_new(vs_call_store(s->f), NULL, 0) : NULL;
   bool ok = child != NULL;
   for (size_t i = 0; ok && i < n; i++) {
-    child[i] = (vs_ref){ moved(s->f, whole, at[i]), vs_bind_origin(s->f->bind) };
+    child[i] = (vs_ref){ moved(s->f, whole, at[i]), vs_bind_origin(vs_call_bind(s->f)) };
     ok = vs_bind_keep(s->f, child[i].node);
   }
-  vs_node *made = ok && none ? vs_node_new(s->f->store, VS_HULL,
+  vs_node *made = ok && none ? vs_node_new(vs_call_store(s->f), VS_HULL,
                                            &(struct vs_hull){ .points = none, .dimension = 3 }, child, n)
                              : NULL;
-  if (none) vs_points_release(s->f->store, none);
+  if (none) vs_points_release(vs_call_store(s->f), none);
   return ok ? add_node(s, made) : VS_ERROR;
 }
 
@@ -129,7 +130,8 @@ static vs_status add_pair(sum *s, const vs_vec3 *a, size_t n, const summand *b) 
 }
 
 static vs_status too_fine(vs_args *f, size_t points) {
-  return vs_fail(f->vm, f->vm->sym.range,
+  vs_scheme *vm = vs_call_vm(f);
+  return vs_fail(vm, vm->sym.range,
                  "the sum would be made of %zu points; make the solids coarser with #:segments or current-segments",
                  points);
 }
@@ -150,9 +152,10 @@ static vs_status add_round_sum(sum *s, const summand *a, const summand *b) {
       if (cloud.count >= POINTS_MOST) return vs_cloud_free(&cloud), too_fine(s->f, cloud.count);
       ok = vs_cloud_add(&cloud, vs_v3_add(a->mesh.vertices[i], b->mesh.vertices[k]));
     }
-    if (ok && !vs_poll(s->f->vm, (uint32_t)(b->mesh.vertex_count / 8 + 1))) return vs_cloud_free(&cloud), VS_ERROR;
+    if (ok && !vs_poll(vs_call_vm(s->f), (uint32_t)(b->mesh.vertex_count / 8 + 1)))
+      return vs_cloud_free(&cloud), VS_ERROR;
   }
-  return ok ? add_hull(s, &cloud) : (vs_cloud_free(&cloud), vs_fail_memory(s->f->vm));
+  return ok ? add_hull(s, &cloud) : (vs_cloud_free(&cloud), vs_fail_memory(vs_call_vm(s->f)));
 }
 
 static vs_status sum_of_convex(sum *s, const summand *a, const summand *b) {
@@ -169,7 +172,7 @@ static vs_status sum_of_convex(sum *s, const summand *a, const summand *b) {
 /* Adds copies of `whole`, moved by a point of each part of `at`. */
 static vs_status add_inner(sum *s, vs_ref whole, const summand *at) {
   vs_mesh_parts parts;
-  vs_status ok = vs_mesh_parts_find(&at->mesh, &parts) ? VS_OK : vs_fail_memory(s->f->vm);
+  vs_status ok = vs_mesh_parts_find(&at->mesh, &parts) ? VS_OK : vs_fail_memory(vs_call_vm(s->f));
   uint32_t next = 0;
   for (size_t t = 0; ok && t < at->mesh.triangle_count; t++)
     if (parts.of[t] == next) ok = add_moved(s, whole, at->mesh.vertices[at->mesh.triangles[t][0]]), next++;
@@ -187,7 +190,7 @@ static vs_status sum_of_boundaries(sum *s, const summand *a, const summand *b) {
       const vs_vec3 *p = a->faces.at + a->faces.starts[i], *q = b->faces.at + b->faces.starts[k];
       size_t n = a->faces.starts[i + 1] - a->faces.starts[i], m = b->faces.starts[k + 1] - b->faces.starts[k];
       ok = b->convex ? add_pair(s, p, n, b) : a->convex ? add_pair(s, q, m, a) : add_sum_of_points(s, p, n, q, m);
-      if (ok && !vs_poll(s->f->vm, 64)) ok = VS_ERROR;
+      if (ok && !vs_poll(vs_call_vm(s->f), 64)) ok = VS_ERROR;
     }
   return ok;
 }
@@ -202,7 +205,7 @@ static vs_status give_sum(sum *s, vs_value *out) {
   const vs_ref *refs = s->refs.at;
   vs_node *n = s->refs.count == 1
                    ? vs_node_retain(refs[0].node)
-                   : vs_node_new(s->f->store, VS_UNION, &(struct vs_union){ 0 }, refs, s->refs.count);
+                   : vs_node_new(vs_call_store(s->f), VS_UNION, &(struct vs_union){ 0 }, refs, s->refs.count);
   return vs_bind_give_node(s->f, n, out);
 }
 
@@ -213,7 +216,7 @@ vs_status vs_p_solid_skin(vs_args *f, vs_value *out) {
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
   vs_status ok = begin(f, 0, &a) && begin(f, 1, &b) ? VS_OK : VS_ERROR;
   vs_convex_faces_free(&a.faces);
-  if (ok && !vs_mesh_convex_faces(&a.edges, &a.faces)) ok = vs_fail_memory(f->vm);
+  if (ok && !vs_mesh_convex_faces(&a.edges, &a.faces)) ok = vs_fail_memory(vs_call_vm(f));
   ok = ok && sum_of_boundaries(&s, &a, &b) && give_sum(&s, out);
   summand_free(&a), summand_free(&b);
   return ok;
@@ -225,7 +228,7 @@ vs_status vs_p_minkowski(vs_args *f, vs_value *out) {
   sum s = { .f = f, .refs = { .size = sizeof(vs_ref) } };
   for (int i = 0; i < 2; i++) {
     if (!vs_bind_finite(f, i) || !vs_bind_resolve(f, i)) return VS_ERROR;
-    if (f->arg[i].ref.node->kind == VS_EMPTY) return vs_bind_empty(f, "a summand is empty", out);
+    if (vs_arg_ref(f, i).node->kind == VS_EMPTY) return vs_bind_empty(f, "a summand is empty", out);
   }
   vs_status ok = begin(f, 0, &a) && begin(f, 1, &b) ? VS_OK : VS_ERROR;
   if (ok && (!a.mesh.triangle_count || !b.mesh.triangle_count)) ok = vs_bind_empty(f, "a summand is empty", out);

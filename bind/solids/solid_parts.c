@@ -4,12 +4,14 @@
 #include <string.h>
 
 #include "bind/build.h"
-#include "bind/call/call.h"
+#include "bind/call/context.h"
+#include "bind/call/give.h"
+#include "bind/call/positional.h"
+#include "bind/call/precision.h"
+#include "bind/call/raise.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
-#include "bind/call/take.h"
 #include "bind/measures.h"
-#include "bind/objects.h"
 #include "bind/print.h"
 #include "bind/queries.h"
 #include "bind/shapes/taken_apart.h"
@@ -35,43 +37,45 @@ static bool mark(const vs_solid *solid, const vs_mesh_parts *parts, size_t count
 /* Sets *out to the list (piece-number ...), then the part as a mesh: of one part. */
 static bool describe(vs_args *f, const vs_solid *solid, const vs_mesh_parts *parts, uint32_t part, const bool *mine,
                      size_t count, vs_value *out) {
+  vs_scheme *vm = vs_call_vm(f);
   vs_mesh m = { 0 };
-  VS_ROOTS(f->vm, r, 2);
+  VS_ROOTS(vm, r, 2);
   r[0] = r[1] = VS_NIL;
   for (size_t i = count; i-- > 0;)
-    if (mine[i] && !vs_cons(f->vm, vs_fix((int64_t)i), r[0], &r[0])) return false;
-  if (!vs_mesh_parts_copy(&solid->mesh, parts, part, &m)) return vs_fail_memory(f->vm);
-  vs_node *n = vs_node_of_mesh(f->store, &m, true);
+    if (mine[i] && !vs_cons(vm, vs_fix((int64_t)i), r[0], &r[0])) return false;
+  if (!vs_mesh_parts_copy(&solid->mesh, parts, part, &m)) return vs_fail_memory(vm);
+  vs_node *n = vs_node_of_mesh(vs_call_store(f), &m, true);
   vs_mesh_free(&m);
-  if (!n) return vs_fail_memory(f->vm);
-  return vs_bind_give_node(f, n, &r[1]) && vs_cons(f->vm, r[0], r[1], out);
+  if (!n) return vs_fail_memory(vm);
+  return vs_bind_give_node(f, n, &r[1]) && vs_cons(vm, r[0], r[1], out);
 }
 
 /* (%solid-parts pieces): returns a list of the parts of the pieces' union that do not touch. Each is a pair: the list
  * of the numbers of the pieces in it, from 0, and a mesh. A piece without a face of its own is in no list. */
 vs_status vs_p_solid_parts(vs_args *f, vs_value *out) {
-  vs_refs refs = { f->arg[0].refs.at, f->arg[0].refs.count };
+  vs_scheme *vm = vs_call_vm(f);
+  vs_refs refs = { vs_arg_refs(f, 0).at, vs_arg_refs(f, 0).count };
   vs_solid solid = { 0 };
   vs_mesh_parts parts = { 0 };
   vs_error e = { 0 };
   bool *mine = NULL;
   vs_bounds all = vs_bounds_empty(), b;
-  VS_ROOTS(f->vm, r, 2);
+  VS_ROOTS(vm, r, 2);
   r[0] = VS_NIL;
   for (size_t i = 0; i < refs.count; i++) {
     if (refs.at[i].node->flags & VS_NODE_ENDLESS)
-      return vs_fail(f->vm, f->vm->sym.range, "%s", VS_ENDLESS_MESSAGE);
+      return vs_fail(vm, vm->sym.range, "%s", VS_ENDLESS_MESSAGE);
     if (vs_node_bounds(refs.at[i].node, &b, NULL)) vs_bounds_unite(&all, &b);
   }
-  vs_fineness facets = { .tolerance = vs_bind_tolerance(f->vm), .segments = vs_bind_segments(f->vm) };
+  vs_fineness facets = { .tolerance = vs_bind_tolerance(vm), .segments = vs_bind_segments(vm) };
   if (!(facets.tolerance > 0)) facets.tolerance = fmax(vs_fineness_tolerance(&all) / 4, 1e-300);
-  vs_kernel_options options = { .job = vs_bind_job(f->vm) };
+  vs_kernel_options options = { .job = vs_bind_job(vm) };
   if (!vs_solid_of_objects(&refs, 0, &facets, &options, &solid, &e))
-    return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f->vm, &e);
+    return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(vm, &e);
   bool ok = (vs_mesh_parts_find(&solid.mesh, &parts) && mark(&solid, &parts, refs.count, &mine)) ||
-            vs_fail_memory(f->vm);
+            vs_fail_memory(vm);
   for (uint32_t p = parts.count; ok && p-- > 0;)
-    ok = describe(f, &solid, &parts, p, mine + p * refs.count, refs.count, &r[1]) && vs_cons(f->vm, r[1], r[0], &r[0]);
+    ok = describe(f, &solid, &parts, p, mine + p * refs.count, refs.count, &r[1]) && vs_cons(vm, r[1], r[0], &r[0]);
   free(mine);
   vs_mesh_parts_free(&parts);
   vs_solid_free(&solid);
@@ -127,13 +131,14 @@ static bool ends_inside(const vs_mesh_edges *edges, const vs_mesh *solid, double
 /* (%split surface solid): returns the solid between the surface and its copy, moved along its normal past the
  * solid. */
 vs_status vs_p_split(vs_args *f, vs_value *out) {
+  vs_scheme *vm = vs_call_vm(f);
   vs_mesh m = { 0 }, solid = { 0 };
   vs_mesh_edges edges = { 0 };
   vs_vec3 at = { 0, 0, 0 }, sum = { 0, 0, 0 };
   bool memory = false, ok;
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0) || !vs_bind_finite(f, 1) || !vs_bind_resolve(f, 1))
     return VS_ERROR;
-  ok = vs_bend_triangles(f->vm, f->arg[0].ref, &m) && vs_bend_triangles(f->vm, f->arg[1].ref, &solid);
+  ok = vs_bend_triangles(vm, vs_arg_ref(f, 0), &m) && vs_bend_triangles(vm, vs_arg_ref(f, 1), &solid);
   vs_bounds all = vs_mesh_bounds(&m), b = vs_mesh_bounds(&solid);
   vs_bounds_unite(&all, &b);
   double size = vs_bounds_diagonal(&all);
@@ -148,19 +153,19 @@ vs_status vs_p_split(vs_args *f, vs_value *out) {
     const uint32_t *c = m.triangles[t];
     vs_vec3 n = vs_v3_cross(vs_v3_sub(v[c[1]], v[c[0]]), vs_v3_sub(v[c[2]], v[c[0]]));
     if (vs_v3_length(n) > 0 && !(vs_v3_dot(vs_v3_unit(n), vs_v3_unit(sum)) > 1e-6))
-      ok = vs_fail(f->vm, f->vm->sym.range, "the tool folds back: no direction crosses all of it from one side; give a "
+      ok = vs_fail(vm, vm->sym.range, "the tool folds back: no direction crosses all of it from one side; give a "
                                             "flatter surface, or a solid");
   }
-  ok = ok && (vs_mesh_edges_make(&edges, &m) || vs_fail_memory(f->vm));
+  ok = ok && (vs_mesh_edges_make(&edges, &m) || vs_fail_memory(vm));
   if (ok && ends_inside(&edges, &solid, 1e-9 * size, &at, &memory)) {
     char x[32], y[32], z[32];
     vs_bind_number_text(x, at.x), vs_bind_number_text(y, at.y), vs_bind_number_text(z, at.z);
-    ok = vs_fail(f->vm, f->vm->sym.range, "the tool must cross o: its border lies in o at (xyz %s %s %s)", x, y, z);
+    ok = vs_fail(vm, vm->sym.range, "the tool must cross o: its border lies in o at (xyz %s %s %s)", x, y, z);
   }
-  if (ok && memory) ok = vs_fail_memory(f->vm);
-  ok = ok && (thick(&m, &edges, way) || vs_fail_memory(f->vm));
+  if (ok && memory) ok = vs_fail_memory(vm);
+  ok = ok && (thick(&m, &edges, way) || vs_fail_memory(vm));
   vs_mesh_edges_free(&edges);
-  ok = ok && vs_bind_give_node(f, vs_node_of_mesh(f->store, &m, true), out);
+  ok = ok && vs_bind_give_node(f, vs_node_of_mesh(vs_call_store(f), &m, true), out);
   vs_mesh_free(&m), vs_mesh_free(&solid);
   return ok ? VS_OK : VS_ERROR;
 }
@@ -169,7 +174,7 @@ vs_status vs_p_split(vs_args *f, vs_value *out) {
 vs_status vs_p_region_normal(vs_args *f, vs_value *out) {
   vs_shape_plane plane;
   if (!vs_bind_resolve(f, 0)) return VS_ERROR;
-  if (vs_node_plane(f->arg[0].ref.node, &plane) != VS_PLANE_ONE)
-    return vs_bind_refuse(f, "region", "in one plane", f->arg[0].value);
+  if (vs_node_plane(vs_arg_ref(f, 0).node, &plane) != VS_PLANE_ONE)
+    return vs_bind_refuse(f, "region", "in one plane", vs_arg_value(f, 0));
   return vs_bind_give_vector(f, vs_v3_unit(plane.normal), out);
 }

@@ -3,8 +3,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "bind/build.h"
-#include "bind/call/call.h"
+#include "bind/call/give.h"
+#include "bind/call/positional.h"
+#include "bind/call/raise.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
 #include "bind/measures.h"
@@ -61,7 +62,7 @@ static bool part_open(part *p, vs_args *f, vs_ref whole) {
       if (!below) return false;
       *below = (piece){ at.ref.node->children[c], at.placed };
     }
-    if (!vs_poll(f->vm, 16)) return false;
+    if (!vs_poll(vs_call_vm(f), 16)) return false;
   }
   return true;
 }
@@ -73,12 +74,13 @@ static bool counts(const part *p, size_t i) {
 
 /* Computes the triangles of a piece. */
 static bool piece_triangles(vs_args *f, vs_ref ref, vs_mesh *m) {
-  if (ref.node->class_ != VS_REGION_CLASS) return vs_bend_triangles(f->vm, ref, m);
+  vs_scheme *vm = vs_call_vm(f);
+  if (ref.node->class_ != VS_REGION_CLASS) return vs_bend_triangles(vm, ref, m);
   vs_outline o = { 0 };
   vs_error e = { 0 };
-  const vs_fineness facets = vs_bend_facets(f->vm, ref.node);
-  bool ok = vs_region_outline(ref.node, &facets, &o, &e) || vs_bind_error(f->vm, &e);
-  ok = ok && (!o.count || vs_outline_mesh(&o, m) || vs_fail_memory(f->vm));
+  const vs_fineness facets = vs_bend_facets(vm, ref.node);
+  bool ok = vs_region_outline(ref.node, &facets, &o, &e) || vs_bind_error(vm, &e);
+  ok = ok && (!o.count || vs_outline_mesh(&o, m) || vs_fail_memory(vm));
   vs_outline_free(&o);
   return ok;
 }
@@ -95,7 +97,7 @@ static bool add_piece(vs_args *f, const piece *p, vs_mesh *m) {
     room = vs_mesh_add_triangle(m, first + t[0], first + t[1], first + t[2]);
   }
   vs_mesh_free(&own);
-  return ok && (room || vs_fail_memory(f->vm));
+  return ok && (room || vs_fail_memory(vs_call_vm(f)));
 }
 
 /* Computes the shape of a part that is a curve. Refuses several curves. */
@@ -106,12 +108,12 @@ static bool curve_shape(part *p, vs_part_shape *out) {
   for (size_t i = 0; i < p->pieces.count; i++)
     if (counts(p, i)) one = i, several++;
   if (several > 1)
-    return vs_bind_refuse(p->f, "parts", "solids, regions, surfaces and single curves", p->f->arg[0].value);
+    return vs_bind_refuse(p->f, "parts", "solids, regions, surfaces and single curves", vs_arg_value(p->f, 0));
   const piece *curve = piece_at(p, one);
-  const vs_fineness facets = vs_bend_facets(p->f->vm, curve->ref.node);
-  bool ok = vs_curve_sample(curve->ref.node, &facets, &line, &e) || vs_bind_error(p->f->vm, &e);
+  const vs_fineness facets = vs_bend_facets(vs_call_vm(p->f), curve->ref.node);
+  bool ok = vs_curve_sample(curve->ref.node, &facets, &line, &e) || vs_bind_error(vs_call_vm(p->f), &e);
   for (size_t i = 0; ok && i < line.count; i++) line.at[i] = vs_affine_point(&curve->placed, line.at[i]);
-  ok = ok && (vs_part_shape_of_line(line.at, line.count, line.closed, out) || vs_fail_memory(p->f->vm));
+  ok = ok && (vs_part_shape_of_line(line.at, line.count, line.closed, out) || vs_fail_memory(vs_call_vm(p->f)));
   vs_polyline_free(&line);
   return ok;
 }
@@ -132,15 +134,16 @@ static void find_box(const part *p, const vs_mesh *m, vs_part_box *box) {
 
 /* Computes the shape of a part, and the box around it if `box` is not NULL. */
 static bool shape_of(vs_args *f, vs_ref ref, vs_part_shape *out, vs_part_box *box) {
+  vs_scheme *vm = vs_call_vm(f);
   part p = { 0 };
   vs_mesh m = { 0 };
   vs_ref whole = { vs_node_retain(ref.node), ref.origin };
   *out = (vs_part_shape){ 0 };
-  bool ok = vs_bend_resolve(f->vm, &whole) && part_open(&p, f, whole);
+  bool ok = vs_bend_resolve(vm, &whole) && part_open(&p, f, whole);
   if (ok && p.class_ == VS_CURVE) ok = curve_shape(&p, out);
   else if (ok) {
     for (size_t i = 0; ok && i < p.pieces.count; i++) ok = !counts(&p, i) || add_piece(f, piece_at(&p, i), &m);
-    ok = ok && (vs_part_shape_of_mesh(&m, p.class_ == VS_SOLID, out) || vs_fail_memory(f->vm));
+    ok = ok && (vs_part_shape_of_mesh(&m, p.class_ == VS_SOLID, out) || vs_fail_memory(vm));
     if (ok && box) find_box(&p, &m, box);
   }
   vs_mesh_free(&m);
@@ -157,26 +160,27 @@ static bool find_groups(vs_args *f, const vs_part_shape *shapes, size_t count, d
     while (k < first_count && !vs_part_shapes_equal(&shapes[firsts[k]], &shapes[i], tolerance)) k++;
     if (k == first_count) firsts[first_count++] = i;
     group[i] = firsts[k];
-    if (!vs_poll(f->vm, 64)) return false;
+    if (!vs_poll(vs_call_vm(f), 64)) return false;
   }
   return true;
 }
 
 /* (%part-groups parts tolerance): returns a list with, for each part, the index of the first part that equals it. */
 vs_status vs_p_part_groups(vs_args *f, vs_value *out) {
-  const size_t n = f->arg[0].refs.count;
+  vs_scheme *vm = vs_call_vm(f);
+  const size_t n = vs_arg_refs(f, 0).count;
   vs_part_shape *shapes = vs_bind_scratch(f, (n + 1) * sizeof *shapes);
   size_t *group = vs_bind_scratch(f, (n + 1) * sizeof *group), made = 0;
   bool ok = shapes && group;
   while (ok && made < n) {
-    ok = shape_of(f, f->arg[0].refs.at[made], &shapes[made], NULL) && vs_poll(f->vm, 64);
+    ok = shape_of(f, vs_arg_refs(f, 0).at[made], &shapes[made], NULL) && vs_poll(vm, 64);
     made++;
   }
-  ok = ok && find_groups(f, shapes, n, f->arg[1].real, group);
+  ok = ok && find_groups(f, shapes, n, vs_arg_real(f, 1), group);
   for (size_t i = 0; shapes && i < made; i++) vs_part_shape_free(&shapes[i]);
-  VS_ROOTS(f->vm, r, 1);
+  VS_ROOTS(vm, r, 1);
   r[0] = VS_NIL;
-  for (size_t i = n; ok && i-- > 0;) ok = vs_cons(f->vm, vs_fix((int64_t)group[i]), r[0], &r[0]);
+  for (size_t i = n; ok && i-- > 0;) ok = vs_cons(vm, vs_fix((int64_t)group[i]), r[0], &r[0]);
   *out = r[0];
   return ok ? VS_OK : VS_ERROR;
 }
@@ -185,18 +189,19 @@ vs_status vs_p_part_groups(vs_args *f, vs_value *out) {
  * turns the part so that the smallest box around it is along X, Y and Z. A curve is not turned, and its lengths are
  * infinite. */
 vs_status vs_p_part_size(vs_args *f, vs_value *out) {
+  vs_scheme *vm = vs_call_vm(f);
   vs_part_box box = { { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { INFINITY, INFINITY, INFINITY } };
   vs_part_shape shape;
   vs_affine turn = vs_affine_identity();
   if (!vs_bind_finite(f, 0)) return VS_ERROR;
-  bool ok = shape_of(f, f->arg[0].ref, &shape, &box);
+  bool ok = shape_of(f, vs_arg_ref(f, 0), &shape, &box);
   vs_part_shape_free(&shape);
   for (int i = 0; i < 3; i++)
     turn.m[i][0] = box.axes[i].x, turn.m[i][1] = box.axes[i].y, turn.m[i][2] = box.axes[i].z;
   if (vs_affine_determinant(&turn) < 0)
     for (int j = 0; j < 3; j++) turn.m[2][j] = -turn.m[2][j];
-  VS_ROOTS(f->vm, r, 2);
+  VS_ROOTS(vm, r, 2);
   r[0] = VS_NIL;
-  for (int i = 3; ok && i-- > 0;) ok = vs_cons(f->vm, vs_flonum(box.size[i]), r[0], &r[0]);
-  return ok && vs_bind_give_matrix(f, &turn, &r[1]) && vs_cons(f->vm, r[1], r[0], out) ? VS_OK : VS_ERROR;
+  for (int i = 3; ok && i-- > 0;) ok = vs_cons(vm, vs_flonum(box.size[i]), r[0], &r[0]);
+  return ok && vs_bind_give_matrix(f, &turn, &r[1]) && vs_cons(vm, r[1], r[0], out) ? VS_OK : VS_ERROR;
 }

@@ -5,11 +5,11 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "bind/build.h"
 #include "bind/call/call.h"
+#include "bind/call/give.h"
+#include "bind/call/raise.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
-#include "bind/call/take.h"
 #include "bind/measures.h"
 #include "bind/queries.h"
 #include "bind/shapes/taken_apart.h"

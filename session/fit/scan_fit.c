@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "backends/publish.h"
-#include "bind/call/take.h"
+#include "bind/call/precision.h"
 #include "bind/parameters.h"
 #include "geometry/fitting/distance_map.h"
 #include "geometry/fitting/model_fit.h"

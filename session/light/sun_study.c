@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 
 #include "backends/view.h"
-#include "bind/call/take.h"
+#include "bind/call/precision.h"
 #include "geometry/files/exr_read.h"
 #include "geometry/files/png_write.h"
 #include "geometry/measure/ray_tree.h"
