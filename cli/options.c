@@ -752,7 +752,7 @@ static bool tiles_fit(cli_options *o) {
   if (wrong) return fprintf(stderr, "vs: --tiles %ldx%ld: %s\n", o->tiles.columns, o->tiles.rows, wrong), false;
   long all = o->tiles.columns * o->tiles.rows;
   if (!o->only || cli_range_read(o->only, all, &o->tiles.from, &o->tiles.to)) return true;
-  return fprintf(stderr, "vs: --only %s: expected numbers of tiles from 1 to %ld, as in 1..10\n", o->only, all), false;
+  return fprintf(stderr, "vs: --only %s: expected numbers of tiles, at most 1..%ld\n", o->only, all), false;
 }
 
 cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
@@ -841,7 +841,7 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     return CLI_BAD_USAGE;
   }
   if (o->frames.count && o->only && !cli_range_read(o->only, o->frames.count, &o->frames.from, &o->frames.to)) {
-    fprintf(stderr, "vs: --only %s: expected numbers of frames from 1 to %ld, as in 1..10\n", o->only, o->frames.count);
+    fprintf(stderr, "vs: --only %s: expected numbers of frames, at most 1..%ld\n", o->only, o->frames.count);
     return CLI_BAD_USAGE;
   }
   if (o->tiles.columns && !tiles_fit(o)) return CLI_BAD_USAGE;
@@ -911,8 +911,8 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     const vs_format_info *f = vs_format_find(o->targets[i].path);
     if (f && (!strcmp(f->suffix, "ply") || !strcmp(f->suffix, "x3d"))) continue;
     fprintf(stderr,
-            "vs fit: %s: -o writes the map of distances, and ends in .ply or .x3d; to write the fitted model, run vs "
-            "FILE with the fitted values by -D\n",
+            "vs fit: %s: the file of -o must end in .ply or .x3d: vs fit writes the map of distances there; to write "
+            "the fitted model, run vs FILE with the fitted values by -D\n",
             o->targets[i].path);
     return CLI_BAD_USAGE;
   }

@@ -230,7 +230,7 @@ static bool read_only(sweep_plan *p) {
   p->from = 0, p->to = p->table.count;
   if (!text) return true;
   if (!cli_range_read(text, (long)p->table.count, &from, &to)) {
-    fprintf(stderr, "vs sweep: --only %s: expected numbers of sets from 1 to %zu, as in 1..10\n", text, p->table.count);
+    fprintf(stderr, "vs sweep: --only %s: expected numbers of sets, at most 1..%zu\n", text, p->table.count);
     return false;
   }
   p->from = (size_t)from - 1;

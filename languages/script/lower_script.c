@@ -291,7 +291,7 @@ static void value(lowering *l, know_index n, tr_index into) {
     char text[60];
     if (*name && known(l, n, into, name, second, strncmp(name, "js:", 3) == 0)) return;
     snprintf(text, sizeof text, "%s", !strcmp(word, "js:get") ? "a property" : !strcmp(word, "js:rec") ?
-             "a function expression with a name" : !strcmp(word, "js:native") ? "text in Scheme" : word + 3);
+             "a function expression with a name" : !strcmp(word, "js:native") ? "Scheme code" : word + 3);
     cannot(l, n, text);
   }
 }

@@ -33,7 +33,7 @@ static void refuse(translation *t) {
   static const char reserved[] = " let static yield await implements interface package private protected public eval ";
   knowledge *k = t->k;
   for (know_index i = 1; i <= k->text_nodes; i++) {
-    if (is(k, i, "js:native")) tr_complain_at(t, i, "text in Scheme cannot be translated to JavaScript");
+    if (is(k, i, "js:native")) tr_complain_at(t, i, "Scheme code cannot be translated to JavaScript");
     know_index again = is(k, i, "js:define") || is(k, i, "js:lambda") ? twice(k, know_nth(k, i, 1)) : 0;
     if (again) tr_complain_at(t, again, "two parameters of one name cannot be translated to JavaScript");
     if (is(k, i, "js:declared"))
