@@ -5,9 +5,8 @@
 
 #include "kernel/threads.h"
 
-enum { SERIAL = 10000 /* fewest triangles for which threads copy */, CHUNK = 16 /* placements
-                                                                                                           * in a
-                                                                                                           * task */ };
+enum { SERIAL = 10000 /* number of triangles below which a single thread copies all */, CHUNK = 16 /* number of placements that one task
+                                                                                 * copies */ };
 
 bool vs_placing_room(vs_kernel *k, vs_mesh *out, size_t vertices, size_t triangles) {
   size_t limit = k->options ? k->options->max_triangles : 0, more_vertices = out->vertex_count + vertices,
@@ -31,11 +30,11 @@ typedef struct {
   size_t count;
   const vs_kernel_leaf *leaves;
   vs_mesh *results;
-  struct { VS_LIST(uint32_t) at; } tags[VS_THREADS_MOST]; /* tags[i]: for thread i, the tag in the copy for each tag of
-                                                           * the original */
+  struct { VS_LIST(uint32_t) at; } tags[VS_THREADS_MOST]; /* For thread i, tags[i].at[t] is the tag in the copy of a
+                                                           * triangle whose tag in the original is t. */
 } placing;
 
-/* Fills the calling thread's table: the tag in the copy for each tag of the original. */
+/* Fills the calling thread's table, which has the tag in the copy for each tag in the original. */
 static bool find_tags(vs_kernel *k, placing *all, const vs_placement *p) {
   VS_ASSERT(k->worker < VS_THREADS_MOST);
   for (uint32_t i = 0; i < p->leaf_count; i++) {
@@ -46,8 +45,8 @@ static bool find_tags(vs_kernel *k, placing *all, const vs_placement *p) {
   return true;
 }
 
-/* Copies the range of vertices and triangles that placement p describes. The range must lie within its mesh before and
- * after the copy. */
+/* Copies the range of vertices and triangles that placement p describes. In the source and in the destination, the
+ * range must lie within the mesh. */
 static bool place_one(vs_kernel *k, placing *all, const vs_placement *p) {
   vs_mesh *to = &all->results[p->into];
   const vs_mesh *m = p->mesh ? p->mesh : to;

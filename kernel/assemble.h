@@ -12,13 +12,15 @@ typedef struct { size_t vertex, triangle, vertices, triangles; } vs_range; /* a 
                                                                             * vertices, triangles: how many it has */
 
 typedef struct {
-  const vs_mesh *mesh;       /* mesh to copy completely; NULL: copy the range `from` of the result `into` instead */
+  const vs_mesh *mesh;       /* mesh to copy completely; if NULL, the range `from` of an earlier result is copied
+                              * instead */
   vs_range from;
   uint32_t into;             /* index of the result that receives the copy */
   size_t vertex, triangle;   /* positions in the result of the copy's first vertex and first triangle */
   vs_affine map;
-  const uint32_t *were, *leaves; /* A triangle with the tag of leaf were[i] gets the tag of leaf leaves[i] in the copy.
-                                  * If `were` is NULL, all triangles get the tag of leaf leaves[0]. */
+  const uint32_t *were, *leaves; /* A triangle whose tag in the original is the tag of leaf were[i] gets the tag of leaf
+                                  * leaves[i] in the copy. If `were` is NULL, all triangles get the tag of leaf
+                                  * leaves[0]. */
   uint32_t leaf_count;
 } vs_placement;
 

@@ -37,8 +37,8 @@ static double sweep_of(double x[3][3]) {
 }
 
 bool vs_check_leaves(vs_kernel *k, const vs_cluster *c, vs_check *check, vs_kernel_counts *counts) {
-  /* CHANGED: a change by this fraction of the leaf's volume is reported. SOLID: a leaf whose volume is a smaller
-   * fraction of its box is not compared, because rounding errors dominate. */
+  /* CHANGED: greatest change of a leaf's volume, as a fraction of it, that is not reported. SOLID: a leaf whose volume
+   * is a smaller fraction of its box is not checked, because rounding errors dominate. */
   static const double CHANGED = 0.01, SOLID = 1e-9;
   if (!VS_ROOM(k, check->leaves.at, check->leaves.room, (size_t)c->leaf_count + 1)) return false;
   double unit = step_volume(&c->grid);
@@ -50,8 +50,8 @@ bool vs_check_leaves(vs_kernel *k, const vs_cluster *c, vs_check *check, vs_kern
     double six = 0, swept = 0;
     for (size_t t = 0; t < m->triangle_count; t++) {
       const uint32_t *v = m->triangles[t];
-      double x[3][3]; /* coordinates of three corners relative to the leaf's first vertex, so that the products of a
-                       * small leaf stay accurate */
+      double x[3][3]; /* coordinates of the triangle's three corners relative to the first vertex of the leaf; otherwise
+                       * the products would be inaccurate for a small leaf far from the origin */
       for (int j = 0; j < 3; j++)
         for (int a = 0; a < 3; a++) x[j][a] = (double)at[v[j]][a] - at[0][a];
       six += x[0][0] * (x[1][1] * x[2][2] - x[1][2] * x[2][1]) - x[0][1] * (x[1][0] * x[2][2] - x[1][2] * x[2][0]) +
@@ -113,8 +113,8 @@ static bounds combine(vs_term_kind kind, bounds a, const bounds *b) {
   return a;
 }
 
-/* Computes the bounds on the volume of the result. If the cluster is a small part of a large expression, only the
- * leaves are used, not the terms. */
+/* Computes the bounds on the volume of the result. For a small cluster of a large expression, uses the volumes of the
+ * leaves alone, because all terms would cost too much time. */
 static bool find_bounds(vs_kernel *k, const vs_cluster *c, const vs_check *check, double *least, double *most) {
   const vs_kernel_problem *p = c->problem;
   const vs_expression *e = c->expression;
@@ -144,9 +144,9 @@ static bool find_bounds(vs_kernel *k, const vs_cluster *c, const vs_check *check
   return true;
 }
 
-/* Returns the normal of triangle t of the mesh, with twice the triangle's area as length. It is the product of the two
- * shorter edges: in a needle, the product of two long edges would be mostly rounding error. *a is the corner between
- * the shorter edges. */
+/* Returns a normal of triangle t of the mesh whose length is twice the triangle's area. Computes it from the two
+ * shorter edges: in a very thin triangle, the product of two long edges would be mostly rounding error. *a: the corner
+ * between the two shorter edges. */
 static vs_vec3 twice_area(const vs_mesh *m, size_t t, vs_vec3 *a) {
   vs_vec3 at[3], edge[3];
   int longest = 0;
@@ -175,8 +175,9 @@ bool vs_check_result(vs_kernel *k, const vs_cluster *c, const vs_check *check, c
   double volume = six / 6 / unit, slack = 1e-9 * sum + 0x1p-48 * far * area / unit; /* slack: upper bound, in cubic
                                                                                      * steps, for the error from
                                                                                      * rounding to doubles */
-  if (c->straightened) slack += 2 * area * cbrt(unit) / unit; /* the removal of bends (corners where a cut changes
-                                                               * plane) moves each face by at most two steps */
+  if (c->straightened) slack += 2 * area * cbrt(unit) / unit; /* Straightening cuts moves the surface by at most two
+                                                               * grid steps. The volume changes by at most twice the
+                                                               * area, here in cubic steps. */
   if (volume >= least - slack && volume <= most + slack) return true;
   return VS_BROKEN(k, volume < least - slack ? "the result is smaller than its parts allow"
                                              : "the result is larger than its parts allow");
@@ -184,7 +185,7 @@ bool vs_check_result(vs_kernel *k, const vs_cluster *c, const vs_check *check, c
 
 void vs_check_free(vs_kernel *k, vs_check *check) { VS_DROP(k, check->leaves); }
 
-/* ---- the state of the cluster between two steps of the kernel ---- */
+/* ---- checks of the cluster's state between two steps of the kernel ---- */
 
 static size_t point_count(const vs_cluster *c) { return c->points.all.count; }
 static size_t plane_count(const vs_cluster *c) { return c->planes.all.count; }

@@ -19,8 +19,8 @@
  * costs the grid at most 6 of its 32 bits. */
 static const double FAR = 64;
 
-/* An edge and its two vertices. number: number of the vertex where the plane cuts the edge. In close_border, it is the
- * edge's direction instead: 1 from low to high, -1 from high to low. */
+/* An edge and its two vertices. number: in cut_edges, the vertex where the plane cuts the edge; in close_border, the
+ * edge's direction: 1 from low to high, -1 from high to low. */
 typedef struct { uint32_t low, high; int32_t number; } edge;
 typedef struct {
   vs_kernel *k;
@@ -43,8 +43,8 @@ static bool keep(clipper *c, uint32_t a, uint32_t b, uint32_t d) {
   return VS_PUSH(c->k, c->kept, a) && VS_PUSH(c->k, c->kept, b) && VS_PUSH(c->k, c->kept, d);
 }
 
-/* Makes a vertex on each edge that crosses the cutting plane. The ends of an edge are used in a fixed order, so both of
- * its triangles get the same vertex. Returns false when memory is out or the caller interrupts. */
+/* Makes a vertex on each edge that crosses the cutting plane; both triangles at the edge use this vertex. Returns false
+ * when memory is out or the caller interrupts. */
 static bool cut_edges(clipper *c) {
   c->edges.count = 0;
   for (size_t t = 0; t < c->corners.count; t += 3)
@@ -179,7 +179,7 @@ static bool cut_leaf(vs_kernel *k, clipper *c, const vs_kernel_leaf *leaf, const
   return ok;
 }
 
-/* Computes the region in which each leaf can influence the result. The region of a leaf that never does is empty.
+/* Computes, for each leaf, the region in which it can influence the result; the region is empty if there is none.
  * bounds[i]: the bounds of leaf i. */
 static bool find_regions(vs_kernel *k, const vs_kernel_problem *p, const vs_bounds *bounds, vs_bounds *regions) {
   VS_LIST(vs_bounds) terms = { 0 }, matters = { 0 };
@@ -219,8 +219,8 @@ static bool find_regions(vs_kernel *k, const vs_kernel_problem *p, const vs_boun
   return ok;
 }
 
-/* Returns true if the leaf is so much larger than the region where it can influence the result that it must be cut.
- * *box is then the part of space to keep. */
+/* Returns true if the leaf must be cut because it is far larger than the region where it can influence the result.
+ * *box: the part of space to keep. */
 static bool is_far_larger(const vs_bounds *leaf, const vs_bounds *region, vs_bounds *box) {
   if (vs_bounds_is_empty(leaf) || vs_bounds_is_empty(region)) return false;
   vs_bounds here = *region;
@@ -245,7 +245,8 @@ bool vs_clip_leaves(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bounds,
   for (uint32_t i = 0; ok && i < p->leaf_count; i++) {
     vs_bounds box;
     if (!is_far_larger(&bounds[i], &regions.at[i], &box)) continue;
-    if (!out->leaves.count) { /* the first cut leaf: makes a copy of the list of all leaves, which is then changed */
+    if (!out->leaves.count) { /* this is the first leaf to be cut: copies the caller's list of leaves, which must stay
+                               * unchanged */
       ok = VS_ROOM(k, out->leaves.at, out->leaves.room, (size_t)p->leaf_count + 1) &&
            VS_ROOM(k, out->identities.at, out->identities.room, (size_t)p->leaf_count + 1) &&
            VS_ROOM(k, out->clips.at, out->clips.room, (size_t)p->leaf_count + 1); /* Reserves memory for all elements
@@ -263,7 +264,7 @@ bool vs_clip_leaves(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bounds,
     *clip = (vs_clip){ .mesh = { .vertex_count = 0 } };
     ok = cut_leaf(k, &c, &p->leaves[i], &box, clip);
     out->leaves.at[i].mesh = &clip->mesh;
-    out->identities.at[i] = 0; /* 0: the cut mesh has no serial number, so the cache does not recognise it */
+    out->identities.at[i] = 0; /* serial number 0: the cache does not store results of this mesh */
     bounds[i] = vs_mesh_placed_bounds(&clip->mesh, &p->leaves[i].placement);
   }
   VS_DROP(k, regions);

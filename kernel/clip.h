@@ -8,7 +8,7 @@
 typedef struct {
   VS_LIST(vs_vec3) vertices;
   VS_LIST(uint32_t) corners; /* corners of the cut mesh: three vertex numbers for each triangle */
-  vs_mesh mesh;              /* the cut mesh; its arrays are the members `vertices` and `corners` of this structure */
+  vs_mesh mesh;              /* the cut mesh; its arrays are the lists `vertices` and `corners` above */
 } vs_clip;
 
 typedef struct {
@@ -20,7 +20,7 @@ typedef struct {
 } vs_clipped;
 
 /* Cuts the leaves of p that are too large, and sets out->problem, which points to data of p and out. bounds[i]: the
- * bounds of leaf i; the function reduces those of cut leaves. Returns false and sets the error on failure. */
+ * bounds of leaf i, reduced by the function if it cuts the leaf. Returns false and sets the error on failure. */
 bool vs_clip_leaves(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bounds, vs_clipped *out);
 void vs_clipped_free(vs_kernel *k, vs_clipped *c);
 

@@ -33,8 +33,8 @@
 #include "kernel/exact/interned.h"
 #include "model/store/disjoint.h"
 
-enum { VS_BESIDE_FLAT = 8 }; /* bit of `inner`: an edge of the triangle borders a triangle whose corners the grid has
-                              * moved onto one line */
+enum { VS_BESIDE_FLAT = 8 }; /* bit of vs_grid_triangle's `inner`: the triangle has a neighbour across an edge whose
+                              * corners the grid has moved onto one line */
 
 typedef struct {
   uint32_t v[3];   /* numbers of the triangle's corners in `points`, counter-clockwise as seen from outside the leaf */
@@ -50,9 +50,9 @@ typedef struct {
   uint32_t leaf, place, plane, first; /* place: index of the facet's leaf in `placed`; first: index of the facet's first
                                        * triangle in facet_triangles; the next facet's `first` marks the end */
   uint32_t group;  /* parent of the facet in a union-find structure of touching facets in one plane */
-  bool flip, touched; /* flip: true if the leaf's outward normal is opposite to the plane's; touched: true if another
-                       * facet intersects or touches this one. The kernel copies the triangles of all untouched
-                       * facets. */
+  bool flip, touched; /* flip: true if the leaf's outward normal is opposite to the plane's normal; touched: true if
+                       * another facet intersects or touches this one. If it is false, the kernel copies the facet's
+                       * triangles. */
 } vs_facet;
 
 typedef struct {
@@ -72,15 +72,16 @@ typedef struct { int32_t at[2][3]; } vs_line;        /* the two ends of an edge 
 
 typedef struct { uint32_t low, high; } vs_edge; /* an edge of the input mesh: the point numbers of its two ends, with
                                                  * low < high */
-/* A segment that cuts the facet, from point p to point q, in the second plane `plane`. If p == q, it is a single
- * point. */
+/* A segment from point p to point q that cuts the facet. `plane` is the second plane that contains it. If p == q, the
+ * cut is a single point. */
 typedef struct { uint32_t facet, p, q, plane; } vs_facet_cut;
 
 typedef struct { uint32_t leaf; int32_t delta; } vs_cover;
 typedef struct {
   uint32_t plane;  /* number of the face's plane; VS_NONE: the face is a curved region of untouched triangles */
   uint32_t cover, cover_count;
-  uint32_t facet;  /* index of the facet or region of untouched triangles whose triangles form the face; else VS_NONE */
+  uint32_t facet;  /* index of the facet, or of the region of untouched triangles, whose triangles form the face;
+                    * VS_NONE if the face is only a part of facets */
   uint32_t tag;
   uint32_t use, use_count; /* range of the face's boundary edges in `uses` */
 } vs_face;
@@ -89,12 +90,12 @@ typedef struct { uint32_t from, to, face; } vs_use;
 typedef struct {
   uint32_t place, face;     /* place: index of the region's leaf in `placed`; face: index of the region's face in
                              * `faces`, set after the planes are arranged */
-  uint32_t count, triangle; /* count: number of triangles in the region; triangle: index in the leaf's mesh of a large
-                             * one of them */
+  uint32_t count, triangle; /* count: number of triangles in the region; triangle: index, in the leaf's mesh, of a large
+                             * triangle of the region */
   bool open;                /* true if triangles that were removed as hidden continue the region's surface */
 } vs_region;
-enum { VS_ARRANGED, VS_CULLED, VS_PLAIN }; /* treatment of a triangle: cut against others, removed as hidden, or copied
-                                            * because nothing touches it */
+enum { VS_ARRANGED, VS_CULLED, VS_PLAIN }; /* what the kernel does with a triangle: cuts it against others, removes it
+                                            * as hidden, or copies it because nothing touches it */
 
 /* The frame and the grid of the cluster: world = frame * ((grid + offset) * step). */
 typedef struct {
@@ -115,18 +116,19 @@ typedef struct {
   vs_affine to_local; /* map from grid steps to the coordinates of the leaf's part; set only if the member `lid` is
                        * true */
   double margin;      /* length of two grid steps in the coordinates of the leaf's part */
-  double middle[3];   /* middle of the leaf's part, in grid steps; well_inside and outside are squared distances from
-                       * it */
+  double middle[3];   /* middle of the leaf's part, in grid steps, from which the squared distances well_inside and
+                       * outside are measured */
   double well_inside, outside; /* A point closer to the middle than sqrt(well_inside) is more than two steps inside the
                                 * leaf. A point farther than sqrt(outside) is outside of the leaf. The values are -1 and
                                 * infinity if the placement does not scale equally in all directions. */
   bool lid;           /* true if the leaf is convex and alone decides the expression's value inside it */
   bool star;          /* true if the leaf is a star (its middle sees every triangle from inside) and does not intersect
                        * itself on the grid */
-  uint32_t lids_first, lids_count; /* range in `lids` of the convex, deciding leaves whose boxes intersect this leaf's
-                                    * box; it begins at a multiple of four */
-  uint32_t lines;     /* number of rays that were tested against this leaf, if it is large; after many rays, a tree of
-                       * its triangles' boxes is built */
+  uint32_t lids_first, lids_count; /* range in the cluster's list `lids` of the convex leaves whose boxes intersect this
+                                    * leaf's box and that decide the expression's value inside them; it begins at a
+                                    * multiple of four */
+  uint32_t lines;     /* number of rays tested against this leaf, counted for large leaves only; after many rays, the
+                       * kernel builds a tree of the boxes of the leaf's triangles */
   vs_bvh bvh;
   vs_bvh_box *bvh_boxes;
   size_t bvh_box_room;
@@ -138,8 +140,8 @@ typedef struct {
   const vs_expression *expression;
   const uint32_t *leaves;
   uint32_t leaf_count;
-  const vs_bounds *gate; /* bounds in world coordinates outside of which the expression is false; NULL: there are
-                          * none */
+  const vs_bounds *gate; /* bounds in world coordinates outside of which the expression is false; NULL if the expression
+                          * has no such bounds */
   vs_grid grid;
   VS_LIST(vs_placed) placed;
   int32_t (*corners)[3];  /* coordinates, in grid steps, of the vertices of all leaves' meshes */
@@ -148,13 +150,14 @@ typedef struct {
   VS_LIST(vs_bvh_box) leaf_boxes;
   VS_LIST(uint32_t) lids; /* for each leaf in turn: the indices of the lids (convex, deciding leaves) near it */
   VS_LIST(vs_pack) lid_boxes; /* bounding boxes of the leaves in `lids`, in packs of four */
-  VS_LIST(_Atomic uint8_t) fate; /* fate[t]: VS_ARRANGED, VS_CULLED or VS_PLAIN for triangle t, counted over all leaves'
-                                  * meshes; if empty, all triangles are arranged */
+  VS_LIST(_Atomic uint8_t) fate; /* fate[t]: treatment of triangle t, numbered over the meshes of all leaves:
+                                  * VS_ARRANGED, VS_CULLED or VS_PLAIN. If the list is empty, all triangles are
+                                  * arranged. */
   size_t plain_count;
   VS_LIST(uint32_t) region_of;   /* for each untouched triangle: index of its region in `regions` */
   VS_LIST(vs_region) regions;
-  VS_LIST(uint32_t) point_of;    /* for each vertex of all leaves' meshes: its number in `points`, if its mesh has
-                                  * untouched and other triangles; else VS_NONE */
+  VS_LIST(uint32_t) point_of;    /* point_of[v]: for vertex v, numbered over the meshes of all leaves: its number in
+                                  * `points`, if its mesh has untouched triangles and others; else VS_NONE */
   vs_points_table points;
   vs_planes_table planes;
   VS_LIST(vs_grid_triangle) triangles;
@@ -164,8 +167,8 @@ typedef struct {
    * result keeps bends */
   VS_LIST(uint32_t) sheets;
   uint32_t corner_points; /* number of points that are corners of the leaves; these points come first in `points` */
-  size_t straightened;    /* number of bends removed from the result (corners where a cut passes between facets of a
-                           * sheet) */
+  size_t straightened;    /* number of bends that were removed from the result; a bend is a corner where a cut passes
+                           * between two facets of one sheet */
   VS_LIST(vs_patch) patches;
   VS_LIST(vs_patch_corner) patch_corners;
   VS_LIST(vs_bvh_box) boxes; /* bounding boxes of the patches, in steps */
@@ -177,30 +180,31 @@ typedef struct {
   VS_LIST(vs_cover) covers;
   VS_LIST(vs_use) uses;
   vs_halves edges;       /* index that finds the faces' boundary edges between two given points */
-  VS_LIST(uint8_t) kept; /* kept[f]: 0 if face f is not in the result; 1 if outside is on its + side; 2 if outside is on
-                          * its - side */
-  /* The members below serve the union of solids two by two (levels.c). Otherwise they are empty. */
-  /* crowd: number of leaves that can be united two by two. crowded: true if there are too many cuts to arrange them all
-   * in one step. */
+  VS_LIST(uint8_t) kept; /* kept[f]: 0 if face f is not part of the result; 1 if the outside of the result is on the +
+                          * side of the face; 2 if it is on the - side */
+  /* The members below are used while solids are united two by two (levels.c). Otherwise they are empty. */
+  /* crowd: number of leaves that can be united two by two. crowded: true if cutting all facets against each other at
+   * once would give too many cuts. */
   size_t crowd;
   bool crowded;
-  VS_LIST(vs_facet_side) sides;     /* border edges of the facets; if solids are united in levels, facets[].first is an
-                                     * index in this list, not in facet_triangles */
-  VS_LIST(vs_line) lines;     /* input edges to which `line` of the sides refers; within a level, the array belongs to
-                               * the enclosing cluster */
-  VS_LIST(uint32_t) use_line; /* use_line[i]: line that contains uses[i], in the form of vs_facet_side's `line` */
-  uint32_t *solid;            /* union-find structure over the problem's leaves; a set contains the leaves of one solid,
-                               * united so far; NULL: no levels */
-  uint8_t *layered;           /* layered[i]: 1 if leaf i of the problem is united with other leaves level by level;
-                               * NULL: no levels */
+  VS_LIST(vs_facet_side) sides;     /* border edges of the facets; while solids are united two by two, a facet's member
+                                     * `first` is an index in this list, not in facet_triangles */
+  VS_LIST(vs_line) lines;     /* edges of the input that contain border edges of facets; while two solids are united,
+                               * the array belongs to the enclosing cluster */
+  VS_LIST(uint32_t) use_line; /* use_line[i]: number of the line that contains uses[i], coded as the member `line` of
+                               * vs_facet_side */
+  uint32_t *solid;            /* union-find structure over the problem's leaves; each set contains the leaves that have
+                               * been united to one solid; NULL unless solids are united two by two */
+  uint8_t *layered;           /* layered[i]: 1 if leaf i of the problem is first united with others two by two; NULL
+                               * unless solids are united two by two */
   size_t solid_room, layered_room;
-  const uint32_t *joining;    /* within a level: the solids that it unites, while all others are ignored; NULL: no
-                               * levels */
+  const uint32_t *joining;    /* numbers of the solids that are united now, while all others are ignored; NULL
+                               * otherwise */
   uint32_t joining_count;
-  bool inspect;          /* true if the kernel only inspects one leaf that may be inside out; side_cell and wound are
-                          * then set */
-  VS_LIST(uint32_t) side_cell; /* number of the cell (connected piece of space) beside a face: [2 * face] on its + side,
-                                * [2 * face + 1] on its - side */
+  bool inspect;          /* true if the kernel only inspects whether one leaf is inside out; it then sets side_cell and
+                          * wound */
+  VS_LIST(uint32_t) side_cell; /* cells (connected pieces of space) beside a face: element [2 * face] is the number of
+                                * the cell on its + side, [2 * face + 1] on its - side */
   VS_LIST(int32_t) wound;      /* wound[c]: winding number of the leaf in cell c */
 } vs_cluster;
 
@@ -219,24 +223,24 @@ static inline uint32_t vs_solid_of(const vs_cluster *c, uint32_t leaf) {
   return c->solid ? vs_find(c->solid, leaf) : leaf;
 }
 
-/* Returns true if there are too many cuts to arrange them in one step, and leaves can be united in levels first: see
- * levels.c. */
+/* Returns true if there are too many cuts to arrange all facets at once. Leaves should then be united two by two first,
+ * which levels.c does. */
 static inline bool vs_too_many(const vs_cluster *c, size_t cuts) {
   enum { EACH = 160, LEAST = 20000 };
   return c->crowd > 2 && !c->layered && cuts > EACH * c->facets.count + LEAST;
 }
 
-/* Returns true if too many crossings of cuts in the planes arranged so far are hidden inside the union. The work on
- * hidden crossings is wasted, and levels avoid it. Where most crossings appear in the result, as in a lattice of holes,
- * levels would only repeat the work. The limit is therefore much higher there. */
+/* Returns true if leaves should be united two by two first, because too many crossings of cuts are hidden inside the
+ * union. The limit is much higher where most crossings are visible, as in a lattice of holes: uniting would only repeat
+ * that work. */
 static inline bool vs_too_hidden(const vs_cluster *c, size_t cuts, size_t crossed, size_t hidden) {
   enum { EACH = 6, LEAST = 20000, SHOWN = 8 };
   return vs_too_many(c, crossed / SHOWN) || (c->crowd > 2 && !c->layered && hidden > EACH * cuts + LEAST &&
       hidden > crossed / 4 * 3);
 }
 
-/* A list of facets with their border edges. They refer to points by the cluster's numbers. The `leaf` of each facet is
- * the tag of its face. */
+/* A list of facets with their border edges, which refer to points by the cluster's numbers. The `leaf` of each facet is
+ * the tag of the face that it was made from. */
 typedef struct {
   VS_LIST(vs_facet) facets; /* facets; the last element only marks the end of the border edges of the facet before it */
   VS_LIST(vs_facet_side) sides;
@@ -248,8 +252,8 @@ void vs_cluster_free(vs_kernel *k, vs_cluster *c);
  * gate's bounds. */
 enum { VS_LIDS = 48 };
 
-/* A face in the cyclic order of faces around an edge. x, y: two coordinates of the face's normal; classify.c chooses
- * their axes and signs by the edge. */
+/* A face in the cyclic order of faces around an edge. x, y: two coordinates of the face's normal, whose axes and signs
+ * classify.c chooses for the edge. */
 typedef struct { int64_t x, y; uint32_t ccw, cw; } vs_around; /* ccw, cw: numbers that the caller gives to the face's
                                                                * sides in counter-clockwise and clockwise direction */
 

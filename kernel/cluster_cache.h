@@ -12,8 +12,8 @@ typedef struct {
   VS_LIST(uint64_t) words;
   VS_LIST(uint32_t) tags;               /* the cluster's tags in the order in which its leaves use them; the key and the
                                          * stored bytes contain indices of this list */
-  vs_places tag_place, paint_place;     /* tag_place, paint_place: for each tag, and each paint, of the problem: its
-                                         * index in the order in which the cluster uses them */
+  vs_places tag_place, paint_place;     /* tag_place, paint_place: for each tag and each paint of the problem, its index
+                                         * in the order in which the cluster's leaves use them */
   VS_LIST(uint32_t) paints;
   VS_LIST(uint32_t) scratch;
 } vs_remember;
@@ -22,8 +22,8 @@ typedef struct {
  * empty, or NULL if the whole cluster lies within them. Sets *known to false if the cluster has no key because a leaf's
  * mesh has no serial number. Returns false when memory is out. */
 bool vs_remember_key(vs_kernel *k, vs_remember *r, vs_copies *c, vs_group leaves, const vs_bounds *gate, bool *known);
-/* Looks in the cache for the cluster whose key was computed last, and appends its triangles with their tags to out.
- * Sets *found to false if the cache does not contain it. Returns false when memory is out. */
+/* Searches the cache for the cluster whose key was computed last, and appends its triangles with their tags to out.
+ * Sets *found to false if the cache does not contain the cluster. Returns false when memory is out. */
 bool vs_remember_find(vs_kernel *k, vs_remember *r, vs_mesh *out, bool *found);
 /* Stores a cluster in the cache under the key that was computed last: the triangles of out beginning with index
  * first_triangle, and its vertices beginning with first_vertex. Returns false when memory is out. */

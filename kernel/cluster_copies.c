@@ -44,7 +44,7 @@ static bool put_leaf(vs_kernel *k, vs_copies *c, uint32_t leaf, const vs_affine 
   return true;
 }
 
-/* Gives a term of the problem the next number if it has none, and appends its number to the key. */
+/* Appends the number of a term to the key. A term without a number gets the next one. */
 static bool reach(vs_kernel *k, vs_copies *c, uint32_t term) {
   VS_ASSERT(term < c->problem->term_count);
   if (c->number.at[term] == VS_NONE) {
@@ -66,7 +66,7 @@ bool vs_copies_put_terms(vs_kernel *k, vs_copies *c, vs_group leaves) {
   for (size_t i = 0; ok && i < c->terms.count; i++) { /* reach() appends to this list during the loop */
     uint32_t t = c->terms.at[i];
     ok = put(k, c, (uint64_t)e->need.at[t] << 32 | (uint64_t)e->kind.at[t] << 1 | (t == e->root));
-    /* Clears the number of operands in the key of a union or leaf, because the values of these terms do not depend on
+    /* Clears the number of operands in the last element of the key: the value of a union or leaf does not depend on
      * it. */
     if (e->kind.at[t] == VS_TERM_UNION || e->kind.at[t] == VS_TERM_LEAF) c->keys.at[c->keys.count - 1] &= UINT32_MAX;
     for (uint32_t j = e->user_first.at[t]; ok && j < e->user_first.at[t + 1]; j++)
@@ -118,14 +118,14 @@ static bool heads_grow(vs_kernel *k, vs_copies *c) {
   return true;
 }
 
-/* Computes the map that moves a leaf from the placement `from` to the placement `to`. Both leaves have the same part,
- * with the middle `middle`. Returns false if `from` cannot be inverted. */
+/* Computes the map that moves a leaf from the placement `from` to the placement `to`. Both placements are of one part,
+ * whose middle is `middle`. Returns false if `from` cannot be inverted. */
 static bool map_between(const vs_affine *from, const vs_affine *to, vs_vec3 middle, vs_affine *map) {
   vs_affine back;
   if (!vs_affine_invert(from, &back)) return false;
   *map = vs_affine_multiply(to, &back);
-  for (int r = 0; r < 3; r++) /* makes entries that differ from whole values only by rounding errors exact, as for
-                               * translations and quarter turns */
+  for (int r = 0; r < 3; r++) /* replaces entries that differ from whole numbers only by rounding errors, as in
+                               * translations and quarter turns, by the whole numbers */
     for (int j = 0; j < 3; j++) {
       double whole = floor(map->m[r][j] + 0.5);
       if (fabs(map->m[r][j] - whole) < 1e-14) map->m[r][j] = whole;

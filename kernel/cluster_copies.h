@@ -10,15 +10,16 @@
 /* The leaves of a cluster: an array with their numbers in the problem, which the caller owns. */
 typedef struct { const uint32_t *at; uint32_t count; } vs_group;
 
-/* A cluster that equals no earlier cluster. key, length: start and length of its key in `keys`. next: index of the next
- * original with the same slot of the hash table. */
+/* A cluster that equals no earlier cluster. key, length: index of the first element of its key in `keys`, and number of
+ * elements. next: index of the next such cluster in its slot of the hash table. */
 typedef struct { uint64_t hash; size_t key, length; vs_group leaves; uint32_t next; } vs_original;
 
 /* Describes which earlier cluster a cluster copies. */
 typedef struct {
-  uint32_t original;         /* index in `originals` of the cluster that is copied */
+  uint32_t original;         /* index in `originals` of the earlier cluster; for a new original, its own index */
   bool is_new;               /* true if the cluster equals no earlier one and became a new original */
-  vs_affine map;             /* map from the original cluster to its copy; the identity for a new original */
+  vs_affine map;             /* map that moves the earlier cluster to the place of its copy; for a new original, the
+                              * identity */
 } vs_cluster_copy;
 
 typedef struct {
@@ -29,7 +30,8 @@ typedef struct {
   VS_LIST(uint64_t) keys;    /* keys of all original clusters, one after another, and then the key of the current
                               * cluster */
   VS_LIST(uint32_t) heads;   /* heads[h]: index of the first original cluster in slot h of the hash table */
-  VS_LIST(uint32_t) terms;   /* terms of the problem that depend on the cluster's leaves, in the order of first use */
+  VS_LIST(uint32_t) terms;   /* terms of the problem whose value depends on the cluster's leaves, in the order of first
+                              * use */
   VS_LIST(uint32_t) number;  /* number[t]: index in `terms` of the problem's term t, or VS_NONE */
 } vs_copies;
 

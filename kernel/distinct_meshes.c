@@ -133,8 +133,8 @@ static bool find_twins(vs_kernel *k, vs_part *p) {
 
 static double det(vs_vec3 a, vs_vec3 b, vs_vec3 c) { return vs_v3_dot(vs_v3_cross(a, b), c); }
 
-/* Sets p->star to true if the part is a star: the mean of its vertices sees every triangle from inside. Returns false
- * if interrupted. */
+/* Sets p->star to true if the part is a star: the mean of its vertices is on the inner side of every triangle, and rays
+ * from it cross the surface once. Returns false if interrupted. */
 static bool find_star(vs_kernel *k, vs_part *p) {
   const vs_mesh *m = p->mesh;
   size_t n = m->triangle_count, vertices = m->vertex_count;
@@ -175,9 +175,9 @@ static void find_convex(vs_part *p) {
   size_t n = m->triangle_count, vertices = m->vertex_count;
   double size = p->outer;
   if (!p->star) return;
-  bool global = n * vertices <= GLOBAL; /* If true, each vertex is tested against each triangle. If false, only
-                                         * neighbouring triangles are tested, across each edge. The tolerance per edge
-                                         * is then that of a double, so that errors cannot accumulate. */
+  bool global = n * vertices <= GLOBAL; /* If true, each vertex is tested against each triangle. If false, each triangle
+                                         * is tested only against its neighbours across edges, with a tolerance of a
+                                         * double's rounding error. */
   for (size_t t = 0; t < n; t++) {
     vs_vec3 a = m->vertices[m->triangles[t][0]], normal = vs_v3_cross(vs_v3_sub(m->vertices[m->triangles[t][1]], a),
                                                                       vs_v3_sub(m->vertices[m->triangles[t][2]], a));
@@ -223,8 +223,8 @@ static uint32_t cell_of(const vs_part *p, vs_vec3 d) {
   return ((2 * k + (x[k] < 0)) * n + (u < n ? u : n - 1)) * n + (v < n ? v : n - 1);
 }
 
-/* Finds a triangle for each cell of the cube of directions, at which walks begin. The number of cells is such that a
- * cell has about four triangles. */
+/* For each cell on the sides of a cube around the part, finds a triangle at which a search in the cell's direction
+ * begins. The number of cells is such that a cell has about four triangles. */
 static bool find_starts(vs_kernel *k, vs_part *p) {
   enum { MOST = 16 };
   double wanted = sqrt((double)p->mesh->triangle_count / 24);
@@ -241,7 +241,8 @@ static bool find_starts(vs_kernel *k, vs_part *p) {
         x[across_of[side / 2]] = (2 * i + 1.0) / n - 1;
         x[up_of[side / 2]] = (2 * j + 1.0) / n - 1;
         if (j == 0 && i > 0) triangle = p->starts[at - n]; /* begins at the triangle of the first cell of the previous
-                                                            * row, which is nearer than the last cell of that row */
+                                                            * row; it is nearer than the triangle of the previous cell,
+                                                            * at the other end of that row */
         walk_to(p, vs_v3(x[0], x[1], x[2]), &triangle, corner);
         p->starts[at++] = triangle;
       }
@@ -262,8 +263,8 @@ bool vs_part_holds(const vs_part *p, vs_vec3 q, double margin) {
 
 /* ---- the parts of a problem ---- */
 
-enum { CHUNK = 8, FEW = 64 }; /* CHUNK: number of meshes that one task prepares; FEW: below this number of meshes, each
-                               * is a separate task */
+enum { CHUNK = 8, FEW = 64 }; /* CHUNK: number of meshes that one task prepares; FEW: number of meshes below which each
+                               * mesh is a separate task */
 static size_t in_chunk(const vs_parts *p) { return p->all.count < FEW ? 1 : CHUNK; }
 
 static bool look_at(vs_kernel *k, void *context, size_t chunk) {

@@ -8,8 +8,8 @@
 
 typedef struct {
   const vs_mesh *mesh;
-  uint32_t *twins;      /* twins[3 * t + j]: corner whose edge runs in the opposite direction of edge j of triangle t;
-                         * NULL if the mesh is closed only after rounding to the grid */
+  uint32_t *twins;      /* twins[3 * t + j]: number of the corner whose edge runs opposite to edge j of triangle t; NULL
+                         * if the mesh is closed only after rounding to the grid */
   size_t twin_room;
   double volume;        /* volume of the mesh, in cubic units of its coordinates; negative if the mesh is inside out */
   vs_vec3 middle;       /* mean of the mesh's vertices */
@@ -17,18 +17,18 @@ typedef struct {
                          * such a mesh does not intersect itself */
   bool convex;          /* true if the part is convex up to rounding errors; valid only if `star` and `joined` are
                          * true */
-  uint32_t *starts;     /* For convex parts: starts[cell] is a triangle near the one that a ray from the middle in a
-                         * direction of this cell crosses. Cells divide the sides of a cube (distinct_meshes.c). */
+  uint32_t *starts;     /* For a convex part: starts[i] is a triangle near the one that a ray from the middle crosses,
+                         * if the ray's direction lies in cell i. Cells divide the sides of a cube around the part. */
   size_t start_room;
-  uint32_t start_cells; /* number of cells along an edge of the cube of `starts`; 0: the part has so few triangles that
-                         * a search may begin at any of them */
-  double inner, outer;  /* for convex parts: radius of a ball about the middle inside the part, and of a ball that
-                         * contains the part */
-  /* for a part that is not star-shaped: whether it was inspected, and whether the kernel may copy it unchanged if no
-   * other leaf touches it */
+  uint32_t start_cells; /* number of cells along an edge of the cube to which `starts` refers; 0: the part has so few
+                         * triangles that a search may begin at any triangle */
+  double inner, outer;  /* for convex parts: radius of the largest ball about `middle` that lies inside the part, and of
+                         * the smallest ball about it that contains the part */
+  /* For a part that is not a star: VS_GOOD if the kernel may copy it unchanged where no other leaf touches it,
+   * VS_DOUBTFUL if not, VS_UNASKED before the part is inspected. */
   enum { VS_UNASKED, VS_GOOD, VS_DOUBTFUL } alone;
-  bool joined;          /* True if a leaf with this mesh touches another leaf. A part with `star` that touches none has
-                         * no `twins`, and `convex` is unknown: the kernel copies it unchanged. */
+  bool joined;          /* True if a leaf with this mesh touches another leaf. If it is false for a star, the kernel
+                         * copies the star unchanged: `twins` is NULL, and `convex` is not set. */
 } vs_part;
 
 typedef struct {
@@ -43,17 +43,18 @@ bool vs_parts_prepare(vs_kernel *k, vs_parts *p, const vs_kernel_problem *proble
                       const uint32_t *cluster, uint32_t count);
 void vs_parts_free(vs_kernel *k, vs_parts *p);
 
-/* The input of vs_twins_find: triangles, of whose edges it finds the pairs with opposite directions. */
+/* The input of vs_twins_find: a list of triangles in which the function finds pairs of edges with opposite
+ * directions. */
 typedef struct {
   const uint32_t (*triangles)[3];
   size_t count;
-  const uint32_t *id;   /* id[v]: corner at vertex v; vertices with equal values are one corner. NULL: each vertex is a
-                         * separate corner */
+  const uint32_t *id;   /* id[v]: number of the corner at vertex v; vertices with equal numbers are one corner; NULL:
+                         * each vertex is a separate corner */
   size_t id_count;      /* number that exceeds all values of id */
 } vs_twins_input;
 
-/* Sets twins[3 * t + j] to the edge opposite to edge j of triangle t, or to VS_NONE if no edge runs in the opposite
- * direction. *open: a triangle with an edge without partner, or VS_NONE. Returns false when memory is out or the caller
+/* Sets twins[3 * t + j] to the edge opposite to edge j of triangle t, or to VS_NONE if there is no such edge. *open: a
+ * triangle with an edge that has no opposite edge, or VS_NONE. Returns false when memory is out or the caller
  * interrupts. */
 bool vs_twins_find(vs_kernel *k, const vs_twins_input *in, uint32_t *twins, uint32_t *open);
 

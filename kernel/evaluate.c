@@ -36,7 +36,8 @@ static bool join(void *parent, uint32_t a, uint32_t b) {
 static double least(const vs_bounds *b, int axis) { return axis == 0 ? b->min.x : axis == 1 ? b->min.y : b->min.z; }
 static double most(const vs_bounds *b, int axis) { return axis == 0 ? b->max.x : axis == 1 ? b->max.y : b->max.z; }
 
-enum { SERIAL = 10000 /* fewest corners for which threads work */, LEAVES = 16 /* leaves in a task */ };
+enum { SERIAL = 10000 /* number of corners below which a single thread does all the work */, LEAVES = 16 /* number of leaves that one task
+                                                                                * handles */ };
 
 typedef struct { const vs_kernel_problem *problem; vs_bounds *bounds; } bounding;
 
@@ -62,9 +63,9 @@ static bool bound_leaves(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bo
   return ok;
 }
 
-/* Divides the leaves into clusters. On input, bounds[i] are the bounds of leaf i; the function reduces them to the
- * region where the leaf matters. `order` receives the leaves that have triangles, sorted by cluster. parent[i] receives
- * the cluster of leaf order[i]. *count becomes the length of order. */
+/* Divides the leaves into clusters. bounds[i]: bounds of leaf i, which the function reduces to the region where the
+ * leaf can influence the result. order: receives the *count leaves that have triangles, sorted by cluster. parent[i]:
+ * receives the cluster of leaf order[i]. */
 static bool find_clusters(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bounds, uint32_t *parent,
                           uint32_t *order, uint32_t *count) {
   vs_bvh_box *boxes = NULL;
@@ -91,8 +92,8 @@ static bool find_clusters(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *b
     order[n++] = i;
     ok = ok && vs_kernel_poll(k, 0);
   }
-  /* The boxes are in units of 2^-28 of the extent, and enlarged by 64 units on each side. This is at least two grid
-   * steps of any cluster. */
+  /* The boxes are in units of 2^-28 of the extent of all leaves. They are enlarged by 64 units on each side, which is
+   * at least two grid steps of any cluster. */
   double step = size > 0 ? size * 0x1p-28 : 1;
   for (uint32_t i = 0; ok && i < n; i++)
     for (int a = 0; a < 3; a++) {
@@ -174,11 +175,11 @@ typedef struct {
   vs_remember remember;
   vs_placing placing;
   vs_kernel_counts counts;
-  size_t triangles; /* number of triangles so far in all meshes of the result */
+  size_t triangles; /* number of triangles in all meshes of the result, so far */
 } whole;
 
-/* Frees the arrays of patches and their boxes after the patches are intersected, because the next steps need as much
- * memory again. */
+/* Frees the patches and their boxes once the patches are intersected. The next steps need about as much memory
+ * again. */
 static void forget_patches(vs_kernel *k, vs_cluster *c) {
   VS_DROP(k, c->patches);
   VS_DROP(k, c->patch_corners);
@@ -273,8 +274,8 @@ static bool run_cluster(vs_kernel *k, whole *w, vs_group group, vs_mesh *out) {
   return ok;
 }
 
-/* Computes w->gate, the bounds in which every gate (operand outside of which the result is empty) may be true. Computes
- * the bounds of all terms for this; operands come before the terms that use them. Returns false when memory is out. */
+/* Computes w->gate: the bounds in which every gate (operand outside of which the result is empty) may be true. Computes
+ * the bounds of all terms in order; the operands of a term come before it. Returns false when memory is out. */
 static bool find_gate(vs_kernel *k, whole *w, const vs_bounds *leaves) {
   VS_LIST(vs_bounds) terms = { 0 };
   const vs_kernel_problem *p = w->problem;
@@ -297,7 +298,7 @@ static bool find_gate(vs_kernel *k, whole *w, const vs_bounds *leaves) {
   return true;
 }
 
-/* Returns true if the cluster extends beyond the bounds outside of which the result is empty. */
+/* Returns true if the cluster extends beyond w->gate, the bounds outside of which the result is empty. */
 static bool gate_cuts(const whole *w, vs_group leaves) {
   if (!w->expression.gate_count) return false;
   if (w->problem->within) return true; /* The leaves' bounds were already reduced to the bounds outside of which the
@@ -315,12 +316,11 @@ static bool no_room(vs_kernel *k) {
 static bool want_tags(vs_kernel *k, vs_mesh *m) { return vs_mesh_want_tags(m) || no_room(k); }
 
 /* Sets *alone to true if the cluster is one leaf that touches neither another leaf nor itself. The kernel then copies
- * or drops the leaf unchanged, without a grid. A mesh that is no star is inspected once for contacts with itself. A
- * mesh marked as settled must not be arranged: the grid would move its corners, and triangles might touch. Returns
- * false on failure. */
+ * or drops it without a grid. A mesh that is no star is inspected once for self-contacts, unless an earlier result of
+ * the kernel marks it as settled. Returns false on failure. */
 static bool stands_alone(vs_kernel *k, whole *w, vs_group leaves, bool *alone) {
-  enum { FLAT = 1 << 20 }; /* greatest factor by which a placement may flatten the mesh so that the inspection of the
-                            * mesh is valid for the placed leaf */
+  enum { FLAT = 1 << 20 }; /* greatest factor by which a placement may flatten the mesh; up to this factor, the
+                            * inspection of the mesh is valid for the placed leaf */
   const vs_kernel_leaf *l = &w->problem->leaves[leaves.at[0]];
   vs_part *part = &w->parts.all.at[w->parts.of_leaf.at[leaves.at[0]]];
   *alone = false;
@@ -341,7 +341,8 @@ static bool stands_alone(vs_kernel *k, whole *w, vs_group leaves, bool *alone) {
   return true;
 }
 
-/* Reserves a place for the leaf in the result with the number `into`, if the expression is true inside the leaf. */
+/* If the expression is true inside the leaf, reserves space for a copy of the leaf in the mesh `out`. into: index of
+ * this mesh among the results. */
 static bool place_leaf(vs_kernel *k, whole *w, const uint32_t *leaf, vs_mesh *out, uint32_t into) {
   const vs_kernel_leaf *l = &w->problem->leaves[*leaf];
   vs_placement p = { .mesh = l->mesh,
@@ -357,8 +358,8 @@ static bool place_leaf(vs_kernel *k, whole *w, const uint32_t *leaf, vs_mesh *ou
   return !inside || (vs_placing_room(k, out, p.from.vertices, p.from.triangles) && VS_PUSH(k, w->placing.meshes, p));
 }
 
-/* Appends the cluster's triangles to out. Copies them from the cache if it contains the cluster, and evaluates the
- * cluster otherwise. */
+/* Appends the cluster's triangles to out: a copy from the cache if the cache contains the cluster; otherwise the result
+ * of a new evaluation. */
 static bool make_cluster(vs_kernel *k, whole *w, vs_copies *copies, vs_group leaves, vs_mesh *out, uint32_t into) {
   bool alone;
   if (!stands_alone(k, w, leaves, &alone)) return false;
@@ -370,9 +371,9 @@ static bool make_cluster(vs_kernel *k, whole *w, vs_copies *copies, vs_group lea
   if (asked && !(vs_kernel_report(k, 0) && vs_remember_find(k, &w->remember, out, &found) && vs_kernel_report(k, 0)))
     return false;
   ++*(found ? &w->counts.remembered : &w->counts.combined);
-  w->counts.straightened += found && k->options->straight; /* The cache does not store how many bends (corners in a cut)
-                                                            * were removed. Therefore the count increases by 1 for each
-                                                            * cached cluster. */
+  w->counts.straightened += found && k->options->straight; /* The cache does not store how many bends (corners where a
+                                                            * cut passes between two facets) were removed. Therefore the
+                                                            * count increases by 1 for each cached cluster. */
   return found || (run_cluster(k, w, leaves, out) &&
                    (!asked || vs_remember_keep(k, &w->remember, out, vertices, triangles)));
 }
@@ -392,8 +393,8 @@ static bool add_mesh(vs_kernel *k, vs_kernel_copies *c, vs_mesh **made) {
   return want_tags(k, *made);
 }
 
-/* Returns false and sets the error if all meshes of the result together exceed the limit on triangles. The limit for a
- * single mesh is checked elsewhere. */
+/* Adds the triangles of the mesh `made` to the count. Returns false and sets the error if all meshes of the result
+ * together exceed the limit on triangles. */
 static bool count_result(vs_kernel *k, whole *w, const vs_mesh *made) {
   size_t limit = k->options ? k->options->max_triangles : 0;
   w->triangles += made->triangle_count;
@@ -416,7 +417,7 @@ static bool give_cluster(vs_kernel *k, whole *w, vs_copies *copies, sink *to, vs
     return VS_ROOM(k, to->many->copies, to->many->copy_room, to->many->copy_count + 1) &&
            (to->many->copies[to->many->copy_count++] = (vs_kernel_copy){ copy.original, copy.map }, true);
   }
-  if (!copy.is_new) { /* the copied cluster may have other tags than its original, with equal paints */
+  if (!copy.is_new) { /* the copied cluster may have other tags than the original cluster, with the same paints */
     vs_placement p = { .from = to->ranges.at[copy.original],
                        .vertex = to->one->vertex_count,
                        .triangle = to->one->triangle_count,

@@ -20,81 +20,87 @@
 
 #include <string.h>
 
-enum { FEW = 24 }; /* greatest number of segments for which every pair of segments is tested; more segments are searched
-                    * with an index */
+enum { FEW = 24 }; /* greatest number of segments for which every pair is tested; for more segments, a tree of their
+                    * boxes finds the pairs */
 
 typedef struct {
   uint32_t p, q;
-  uint32_t leaf;   /* For a boundary edge of a facet: number of the facet's leaf. The area to the left of p->q has
-                    * one more layer of the leaf's surface than the area to the right. For a cut through a facet:
-                    * VS_NONE. */
-  /* number of a second plane that contains the segment; VS_NONE for an edge between two vertices of the input; VS_LINE
-   * plus an index in the cluster's `lines` for a part of such an edge */
+  uint32_t leaf;   /* For a boundary edge of a facet: number of the leaf (placed mesh) that contains the facet. The area
+                    * to the left of p->q has one more layer of this leaf's surface than the area to the right. For a
+                    * cut through a facet: VS_NONE. */
+  /* Which other plane or line contains the segment. A number below VS_LINE: number of a second plane. VS_NONE: the
+   * segment is an edge between two vertices of the input. VS_LINE + i: it is a part of the edge lines[i] of the
+   * cluster. */
   uint32_t side;
   uint8_t axis;    /* coordinate axis (0, 1 or 2) along which the ends p and q are far apart */
 } segment;
 typedef struct { uint32_t segment, point; } incidence;
-/* Part of a segment between two neighbouring points, from the sweep's vertex l to its vertex r. delta: number of layers
- * of the leaf's surface above the piece minus the number below. */
+/* The part of a segment between two neighbouring points on it, from the sweep's vertex l to its vertex r. delta: number
+ * of layers of the leaf's surface directly above this part minus the number directly below. */
 typedef struct { uint32_t l, r, leaf; int32_t delta; uint32_t side; } piece;
 
 /* Output of one task, which arranges a chunk of planes. A point number from VS_POINT_MORE on is an index in `fresh`. */
 typedef struct {
-  VS_LIST(vs_face) faces;    /* faces of the arrangement; the member `cover` of each is an index in this structure's
-                              * `covers` */
+  VS_LIST(vs_face) faces;    /* faces of the arrangement; the member `cover` of a face is an index in the array `covers`
+                              * below */
   VS_LIST(vs_cover) covers;
-  VS_LIST(vs_use) uses;      /* boundary edges of the faces; the member `face` of each is an index in this structure's
-                              * `faces` */
-  VS_LIST(uint32_t) lines;   /* lines[i]: line that contains boundary edge i, if the facets are given by their border
-                              * edges instead of triangles */
+  VS_LIST(vs_use) uses;      /* boundary edges of the faces; the member `face` of an edge is an index in the array
+                              * `faces` above */
+  VS_LIST(uint32_t) lines;   /* lines[i]: number of the line that contains boundary edge uses[i]; set only if facets are
+                              * given by their border edges instead of triangles */
   VS_LIST(vs_fresh_point) fresh;
-  size_t cuts, crossed;      /* cuts: number of cuts through facets so far in this chunk of planes; crossed: number of
-                              * points in which cuts cross */
-  size_t hidden;             /* estimated number of points in which cuts cross inside a solid whose inside is already
-                              * decided; such points do not appear in the result */
+  size_t cuts, crossed;      /* cuts: number of segments so far, in this chunk of planes, that cut through facets;
+                              * crossed: number of points where two of these segments cross */
+  size_t hidden;             /* estimated number of points where cuts cross inside a leaf that alone decides the
+                              * expression's value; such points do not appear in the result */
 } findings;
 
-/* Memory that one thread reuses for all planes that it arranges. */
+/* Memory in which one thread arranges one plane after another. */
 typedef struct {
   vs_kernel *k;
   const vs_cluster *c;
   findings *to;
-  uint32_t plane_id, place;      /* plane_id: number of the plane that the thread arranges; place: index in the cluster
-                                  * of a leaf with a facet in this plane */
+  uint32_t plane_id, place;      /* plane_id: number of the plane that the thread arranges; place: index, in the
+                                  * cluster, of a leaf that has a facet in this plane */
   vs_plane plane;
   VS_LIST(vs_point) points;      /* points of the facets and cuts in the plane; their member `next` links them in a hash
                                   * table */
   VS_LIST(uint32_t) global;      /* global[i]: number in the cluster of the plane's point i, or VS_POINT_MORE + j for
                                   * the new point j of the chunk */
-  VS_LIST(vs_homogeneous) more;  /* exact coordinates of the points that the cluster did not have before */
-  VS_LIST(uint32_t) known;       /* known[p]: number in this plane of the cluster's point p; valid only if `global` at
-                                  * this number is p */
+  VS_LIST(vs_homogeneous) more;  /* exact coordinates of the points that are new: the chunk made them, and the cluster
+                                  * does not contain them */
+  VS_LIST(uint32_t) known;       /* known[p]: index in `points` of the cluster's point p; valid only if `global` at this
+                                  * index is p */
   VS_LIST(uint32_t) heads;
   VS_LIST(segment) segments;     /* segments in the plane: first the boundary edges of facets, then the cuts */
   VS_LIST(incidence) on;
-  VS_LIST(uint32_t) families;    /* families[i]: family of segment i in the tree of boxes (bvh.h). Family 0: the segment
-                                  * was already tested against all others of family 0. */
-  VS_LIST(uint32_t) through;     /* through[i]: index in `holds` of the first entry of point i; each entry names a
+  VS_LIST(uint32_t) families;    /* families[i]: family of segment i for the search of pairs in the tree of boxes
+                                  * (bvh.h). Segments of family 0 have already been tested against each other. */
+  VS_LIST(uint32_t) through;     /* through[i]: index in `holds` of the first entry for point i; each entry names one
                                   * segment that contains the point */
-  VS_LIST(incidence) holds;      /* linked lists that begin at `through`; the member `point` of an entry is the index of
-                                  * the next entry */
+  VS_LIST(incidence) holds;      /* entries of linked lists, one list for each point; the member `point` of an entry is
+                                  * the index of the next entry */
   VS_LIST(vs_bvh_box) boxes;
   vs_bvh bvh;
   VS_LIST(uint32_t) list, scratch;
-  VS_LIST(uint32_t) local;       /* local[i]: number of point i among the vertices of the plane sweep */
+  VS_LIST(uint32_t) local;       /* local[i]: number of point i as a vertex of the plane sweep */
   VS_LIST(piece) pieces;
   VS_LIST(piece) sorted;
-  VS_LIST(uint32_t) on_first;    /* first for each segment: the index of its first point on it; later for each vertex:
-                                  * the index of its first piece */
+  VS_LIST(uint32_t) on_first;    /* Before the sweep, an element for each segment: index of the first point on the
+                                  * segment. During the sweep, an element for each vertex: index of the vertex's first
+                                  * piece. */
   VS_LIST(vs_keyed) keyed;
-  VS_LIST(uint32_t) payload;     /* payload[e]: index of the first piece on edge e of the plane sweep; an extra element
-                                  * marks the end */
-  /* line[e]: the member `side` of a segment that contains edge e of the plane sweep, if possible of an input edge */
+  VS_LIST(uint32_t) payload;     /* payload[e]: index in `sorted` of the first piece of segments on edge e of the plane
+                                  * sweep; an extra element marks the end */
+  /* line[e]: the member `side` of a segment that contains edge e of the plane sweep; a segment on an edge of the input
+   * is preferred */
   VS_LIST(uint32_t) line;
-  VS_LIST(uint32_t) above, below, face; /* above[e], below[e]: face on each side of edge e, later elements of a
-                                         * union-find structure; face[f]: final number of the sweep's face f */
+  VS_LIST(uint32_t) above, below, face; /* above[e], below[e]: number of the face above and below edge e; later,
+                                         * these numbers are united in a union-find structure; face[f]: final number
+                                         * of face f */
   VS_LIST(uint32_t) face_first, face_edges, queue;
-  VS_LIST(vs_cover) cover;       /* changes of the winding numbers across each face of the plane */
+  VS_LIST(vs_cover) cover;       /* for each face of the plane: how each leaf's winding number changes from one side of
+                                  * the plane to the other */
   VS_LIST(uint32_t) cover_first, cover_count;
   vs_sweep sweep;
 } plane_work;
@@ -122,8 +128,7 @@ static bool own_point(plane_work *w, uint32_t global, uint32_t *point) {
 
 static size_t slot_of(const plane_work *w, const int64_t f[3]) { return vs_points_hash(f) & (w->heads.count - 1); }
 
-/* Makes the hash table of the plane's points: when a point is first searched in it, and again when the table is
- * full. */
+/* Makes the hash table of the plane's points: at the first search for a point, and again when the table is full. */
 static bool chain_points(plane_work *w) {
   size_t want = 64;
   while (want < 2 * w->points.count) want *= 2;
@@ -232,8 +237,8 @@ static bool within(const plane_work *w, const segment *s, uint32_t x) { /* retur
   return vs_compare(view(w), s->p, x, s->axis) * vs_compare(view(w), x, s->q, s->axis) > 0;
 }
 
-/* Computes on which side of segment s the point x lies, as seen along the plane's normal. Returns false if the error of
- * the fixed-point numbers leaves it open. */
+/* Computes on which side of segment s the point x lies, as seen along the plane's normal. Returns false if the
+ * fixed-point numbers are not accurate enough to decide. */
 static bool side_quick(const plane_work *w, const segment *s, uint32_t x, int *sign) {
   *sign = 0;
   if (x == s->p || x == s->q) return true;
@@ -279,8 +284,8 @@ static bool meet(const plane_work *w, const segment *s, const segment *t, vs_hom
   return vs_meet_planes(&w->plane, &a, &b, out);
 }
 
-/* Counts a crossing of two cuts, and tests for every 16th crossing whether it is inside a solid and so hidden. Returns
- * false once too many crossings are hidden. */
+/* Counts a crossing of two cuts. Tests every 16th crossing: is it hidden inside a leaf that alone decides the
+ * expression's value? Returns false once too many crossings are hidden. */
 static bool look_whether_hidden(plane_work *w, uint32_t point) {
   enum { ONE_IN = 16 };
   findings *to = w->to;
@@ -350,7 +355,7 @@ static bool crossings(plane_work *w, uint32_t tried) {
   return true;
 }
 
-/* Records that segment s contains point `point`. */
+/* Records that segment s contains the point with the number `point`. */
 static bool hold(plane_work *w, uint32_t s, uint32_t point) {
   uint32_t *at = &w->through.at[point];
   VS_ASSERT(point < w->through.count);
@@ -391,8 +396,8 @@ static bool on_before(const void *context, uint32_t x, uint32_t y) { /* orders t
   return vs_compare(view(w), a->point, b->point, s->axis) * vs_compare(view(w), s->p, s->q, s->axis) > 0;
 }
 
-/* Sorts the incidences (pairs of a segment and a point on it) by segment, and along each segment. The result is in
- * w->list. */
+/* Sorts pairs of a segment and a point on it: first by segment, then by the point's position along the segment. Writes
+ * the result to w->list. */
 static bool order_on(plane_work *w) {
   size_t n = w->segments.count, m = w->on.count;
   if (!VS_ROOM(w->k, w->on_first.at, w->on_first.room, n + 2) || !VS_ROOM(w->k, w->keyed.at, w->keyed.room, 2 * m + 1))
@@ -429,8 +434,8 @@ static bool piece_before(const piece *x, const piece *y) {
   return x->delta != y->delta ? x->delta < y->delta : x->side < y->side;
 }
 
-/* Sorts the pieces by their two ends and the leaf, into w->sorted. Pieces that compare equal have equal members, so the
- * result is unique. */
+/* Sorts the pieces of segments by their two ends and their leaf, into w->sorted. Pieces that compare equal have equal
+ * members, so the result is unique. */
 static bool order_pieces(plane_work *w) {
   enum { MANY = 64 };
   size_t n = w->sweep.vertices.count, m = w->pieces.count;
@@ -503,8 +508,8 @@ static bool split(plane_work *w) {
   const piece *sorted = w->sorted.at;
   w->sweep.edges.count = w->payload.count = w->line.count = 0;
   size_t kept = 0, count = w->pieces.count;
-  for (size_t i = 0, end; i < count; i = end) { /* makes an edge for each pair (l, r) of vertices, with a piece for each
-                                                 * leaf whose delta is not 0 */
+  for (size_t i = 0, end; i < count; i = end) { /* makes an edge for each pair (l, r) of vertices, and a piece on this
+                                                 * edge for each leaf with a delta other than 0 */
     const piece *at = &sorted[i];
     if (!VS_PUSH(k, w->sweep.edges, ((vs_sweep_edge){ at->l, at->r })) || !VS_PUSH(k, w->payload, (uint32_t)kept))
       return false;
@@ -567,8 +572,8 @@ static bool name_faces(plane_work *w) {
 
 /* ---- step 5: covers ---- */
 
-/* Computes the winding changes of face `to` from those of its neighbour `from` across an edge. sign: 1 if `to` is above
- * the edge, -1 if it is below. */
+/* Computes the winding changes of face `to` from the winding changes of its neighbour `from`. The two faces have `edge`
+ * in common. sign: 1 if `to` is above the edge, -1 if it is below. */
 static bool step_cover(plane_work *w, uint32_t from, uint32_t to, uint32_t edge, int sign) {
   VS_ASSERT(sign == 1 || sign == -1);
   w->cover_first.at[to] = (uint32_t)w->cover.count;
@@ -683,14 +688,15 @@ typedef struct { uint32_t from, end; } chunk; /* a range of groups of facets, fr
 typedef struct {
   vs_cluster *c;
   VS_LIST(uint32_t) facets, cuts;  /* indices of all facets and of all cuts, each sorted by group */
-  VS_LIST(uint32_t) facet_first, cut_first; /* facet_first[r], cut_first[r]: position in `facets` or `cuts` of the first
-                                             * element of group r; an extra element marks the end */
+  VS_LIST(uint32_t) facet_first, cut_first; /* facet_first[r]: position in `facets` of the first facet of group r;
+                                             * cut_first[r]: position in `cuts` of its first cut; an extra element of
+                                             * each array marks the end */
   VS_LIST(chunk) chunks;
   findings found[VS_PIPELINE_WINDOW];
-  plane_work *works;               /* memory of each thread, an array with one element for each */
+  plane_work *works;               /* array with the working memory of each thread */
   vs_points_table points;          /* new points of all chunks; their numbers follow those of the cluster's points */
   VS_LIST(uint32_t) numbers;       /* numbers[i]: number in the cluster of the new point i of a chunk */
-  size_t tried, crossed, hidden;   /* sums of the members `cuts`, `crossed` and `hidden` of the chunks so far */
+  size_t tried, crossed, hidden;   /* sums, over the chunks so far, of their members `cuts`, `crossed` and `hidden` */
 } arranging;
 
 static bool arrange_group(plane_work *w, const arranging *a, uint32_t root) {
@@ -726,8 +732,8 @@ static bool arrange_group(plane_work *w, const arranging *a, uint32_t root) {
   }
   vs_sort_keyed(at, at + cut_count, cut_count);
   uint32_t kept = 0, tried = 0;
-  for (uint32_t j = 0, stop; j < cut_count; j = stop) { /* keeps each cut segment once, with the first of the second
-                                                         * planes that contain it */
+  for (uint32_t j = 0, stop; j < cut_count; j = stop) { /* keeps one of several equal cut segments; of the second planes
+                                                         * that contain it, keeps the first */
     uint32_t plane = at[j].item, p, q;
     for (stop = j + 1; stop < cut_count && at[stop].key == at[j].key; stop++)
       if (at[stop].item < plane) plane = at[stop].item;
@@ -807,8 +813,9 @@ static bool absorb(vs_kernel *k, void *context, size_t index) {
 }
 
 static bool bucket(vs_kernel *k, arranging *a) {
-  enum { CHUNK = 2048, LARGE = 4 * CHUNK }; /* CHUNK: number of facets and cuts that one task handles; LARGE: number
-                                             * from which a chunk of groups counts as large and is started early */
+  enum { CHUNK = 2048, LARGE = 4 * CHUNK }; /* CHUNK: number of facets and cuts that one task handles; LARGE: least
+                                             * number of facets and cuts of a large chunk, which is started before the
+                                             * other chunks */
   const vs_cluster *c = a->c;
   uint32_t n = (uint32_t)c->facets.count, m = (uint32_t)c->cuts.count, *first;
   if (!VS_ROOM(k, a->facets.at, a->facets.room, (size_t)n + 1) ||
@@ -892,10 +899,10 @@ bool vs_arrange_planes(vs_kernel *k, vs_cluster *c) {
   ok = ok && vs_points_append(k, &c->points, &a.points);
   if (!ok && k->error->status == VS_KERNEL_FINE && !c->layered) c->crowded = c->crowd > 0; /* Too many crossings were
                                                                                             * hidden inside solids.
-                                                                                            * Therefore the cluster
-                                                                                            * will be arranged again,
-                                                                                            * and its solids united
-                                                                                            * two by two. */
+                                                                                            * Therefore the caller will
+                                                                                            * arrange the cluster again,
+                                                                                            * after it has united its
+                                                                                            * solids two by two. */
   for (size_t i = 0; i < VS_PIPELINE_WINDOW; i++) {
     VS_DROP(k, a.found[i].faces);
     VS_DROP(k, a.found[i].covers);

@@ -1,12 +1,13 @@
-/* Declares the function that cuts the facets in each plane into faces. */
+/* Declares the function that cuts the facets in each plane into faces that no other facet crosses. */
 #ifndef VS_KERNEL_ARRANGE_ARRANGE_PLANES_H
 #define VS_KERNEL_ARRANGE_ARRANGE_PLANES_H
 
 #include "kernel/cluster.h"
 
-bool vs_arrange_planes(vs_kernel *k, vs_cluster *c);                   /* makes the faces and their boundary edges
-                                                                        * (`uses`) of cluster c; returns false on
-                                                                        * failure, or if so many crossings are hidden
-                                                                        * that the solids must be united in levels */
+bool vs_arrange_planes(vs_kernel *k, vs_cluster *c);                   /* makes the faces of cluster c and their
+                                                                        * boundary edges (c->uses); returns false on
+                                                                        * failure, or if so many crossings of facets are
+                                                                        * hidden that the solids must first be united
+                                                                        * two by two */
 
 #endif

@@ -29,12 +29,13 @@ typedef struct {
                                    * side, 2 * face + 1 for the - side */
   VS_LIST(uint32_t) side;         /* cell (connected piece of space) beside each side of a face: [2 * face] for the +
                                    * side, [2 * face + 1] for the - side */
-  VS_LIST(uint32_t) first, borders; /* borders: sides of faces grouped by cell; first: index in `borders` of each cell's
-                                     * first side */
-  VS_LIST(uint64_t) sum;    /* sum[c]: sum of the random numbers that stand for the windings in cell c; a check of the
-                             * arrangement */
+  VS_LIST(uint32_t) first, borders; /* borders: sides of faces, grouped by the cell that they bound; first[c]: index in
+                                     * `borders` of the first side of cell c */
+  VS_LIST(uint64_t) sum;    /* sum[c]: sum of a random number for each winding around cell c; two paths to a cell must
+                             * give equal sums, which checks the arrangement */
   VS_LIST(uint8_t) state;   /* state[c]: bits of cell c. 1: visited; 2: the walk has passed through it; 4: inside the
-                             * result; 8: decided by one leaf, so that its surroundings do not matter */
+                             * result; 8: one leaf alone decides the value here, so the walk does not continue from this
+                             * cell */
   VS_LIST(uint32_t) queue;
   struct { uint32_t cell, next, face; } *stack;
   size_t stack_room;
@@ -45,10 +46,11 @@ typedef struct {
   VS_LIST(uint32_t) owner;  /* owner[c]: for a cell inside the result, the earliest leaf that makes the expression true
                              * there */
   uint32_t cells;
-  size_t lids;              /* number of leaves around the current cell whose inside is decided (settled) */
+  size_t lids;              /* number of leaves that contain the current cell and alone decide the expression's value
+                             * there */
   bool owned;               /* true if `owner` is needed, because some faces get the tag of the leaf that owns the cell
                              * beside them */
-  /* The members below describe the ray through a face whose winding numbers are searched. */
+  /* The members below describe a ray: it passes through `face`, whose winding numbers are searched. */
   uint32_t face;
   int axis;
   bool degenerate;
@@ -59,7 +61,7 @@ typedef struct {
                              * region */
 } walk;
 
-/* The face through which a ray passes, or one triangle of a region of untouched triangles. */
+/* The outline of a face through which a ray passes, or of one triangle of a region of untouched triangles. */
 typedef struct {
   vs_plane plane;
   bool flip;                /* true if the face's + side is the - side of its plane, which is opposite to the plane's
@@ -70,8 +72,9 @@ typedef struct {
 
 /* ---- step 1: cells ---- */
 
-bool vs_around_before(const vs_around *a, const vs_around *b) { /* returns true if a precedes b by the angle of (x, y),
-                                                                 * counted from the +x axis */
+bool vs_around_before(const vs_around *a, const vs_around *b) { /* returns true if a comes before b in the order of the
+                                                                 * angle of (x, y), counted counter-clockwise from the
+                                                                 * +x axis */
   bool lower_a = a->y < 0 || (a->y == 0 && a->x < 0), lower_b = b->y < 0 || (b->y == 0 && b->x < 0);
   if (lower_a != lower_b) return lower_b;
   return (vs_i128)a->x * b->y - (vs_i128)a->y * b->x > 0;
@@ -125,7 +128,8 @@ static bool sort_edge(vs_kernel *k, walk *w, const vs_half *halves, size_t count
   return ok;
 }
 
-/* Prefetches memory of the uses from i on: first each use, then its face, and last the plane of the face. */
+/* Prefetches memory for the uses (boundary edges) from i on: first each use, then its face, and last the plane of the
+ * face. */
 VS_AHEAD look_ahead(const vs_cluster *c, uint32_t i, uint32_t stop) {
   enum { USE = 36, FACE = 24, PLANE = 12 };
   const vs_half *at = c->edges.at.at + i;
@@ -135,8 +139,8 @@ VS_AHEAD look_ahead(const vs_cluster *c, uint32_t i, uint32_t stop) {
   __builtin_prefetch(&c->planes.all.at[c->faces.at[c->uses.at[at[PLANE].item].face].plane]);
 }
 
-/* Unites the sides of two faces into one cell if they face each other at an edge whose smaller point is in the
- * range. */
+/* Unites two sides of faces into one cell if they face each other at an edge. The function handles the edges whose
+ * smaller point number is in the range. */
 static bool join_range(vs_kernel *k, void *context, size_t range) {
   walk *w = context;
   const vs_cluster *c = w->c;
@@ -148,7 +152,7 @@ static bool join_range(vs_kernel *k, void *context, size_t range) {
     const vs_half *at = h->at.at + i;
     for (end = i + 1; end < h->first.at[low + 1] && h->at.at[end].high == at->high;) end++;
     for (uint32_t j = i; j < end; j++) look_ahead(c, j, stop);
-    if (end - i == 1) { /* a face has no partner at this edge because the kernel removed the triangle there early */
+    if (end - i == 1) { /* only one face is left at this edge, because the kernel removed its partner early as hidden */
       uint32_t face = c->uses.at[at->item].face;
       vs_unite_shared(w->sets.at, 2 * face, 2 * face + 1);
     } else if (end - i == 2) {
@@ -250,8 +254,9 @@ static bool strictly_inside(vs_points_view view, const outline *o, uint32_t prob
   return inside;
 }
 
-/* Chooses a place inside the outline for a ray, as seen along w->axis. The place is on a line v = const, in the middle
- * of the longest interval between two crossings with the boundary. attempt: selects the line. */
+/* Chooses a place inside the outline for a ray along w->axis. Seen along this axis, the place is on a line v = const,
+ * in the middle of the longest interval between two crossings of the line with the boundary. attempt: number of the
+ * trial, which selects the line. */
 static bool aim(walk *w, const outline *o, int attempt) {
   vs_cluster *c = w->c;
   int au = (w->axis + 1) % 3, av = (w->axis + 2) % 3;
@@ -292,7 +297,7 @@ static bool aim(walk *w, const outline *o, int attempt) {
 }
 
 /* Tests whether the ray crosses a triangle of the leaf, and adds the crossing to the leaf's winding number. The
- * triangle's corners are on the grid. */
+ * triangle's corners are grid points. */
 static bool shoot(walk *w, const vs_placed *p, uint32_t leaf, bool mirrored, size_t triangle) {
   const uint32_t *id = p->part->mesh->triangles[triangle];
   const int32_t *at[3] = { w->c->corners[p->first + id[0]], w->c->corners[p->first + id[mirrored ? 2 : 1]],
@@ -348,8 +353,8 @@ static bool index_leaf(walk *w, vs_placed *p) {
 }
 
 static bool shoot_leaf(void *context, uint32_t place) {
-  enum { MANY = 2048, OFTEN = 16 }; /* A leaf with at least MANY triangles that rays have tested OFTEN times gets a tree
-                                     * of its triangles' boxes. */
+  enum { MANY = 2048, OFTEN = 16 }; /* A leaf with at least MANY triangles gets a tree of its triangles' boxes when
+                                     * OFTEN rays have been tested against it. */
   walk *w = context;
   vs_placed *p = &w->c->placed.at[place];
   uint32_t leaf = w->c->leaves[place];
@@ -370,8 +375,8 @@ static int by_leaf(const void *a, const void *b) {
   return (x > y) - (x < y);
 }
 
-/* Leaves that have been united to one solid count together: the solid's winding number is 1 if the place is inside any
- * of these leaves, else 0. */
+/* In w->found, replaces the winding numbers of leaves that were united to one solid by one number for the solid: 1 if
+ * the place is inside any of these leaves, else 0. */
 static void find_solids(walk *w) {
   vs_cover *at = w->found.at;
   size_t n = w->found.count, kept = 0;
@@ -394,7 +399,7 @@ static void find_solids(walk *w) {
 }
 
 /* Sets w->found to the winding numbers just above the face, along an axis. *side: the side of the face that is above.
- * *done: false if no place on the face allowed a clear result. Returns false on an error. */
+ * *done: false if no ray through the face gave a clear result. Returns false on an error. */
 static bool look_through(walk *w, uint32_t face, const outline *o, uint32_t *side, bool *done) {
   vs_cluster *c = w->c;
   w->axis = o->plane.k;
@@ -462,8 +467,8 @@ static bool turn_leaf(walk *w, uint32_t leaf, int32_t delta) {
   return true;
 }
 
-/* Finds the owner of a cell: the earliest leaf that makes the expression true there. A leaf does not count if another
- * operand subtracts it again. */
+/* Finds the owner of a cell: the leaf with the lowest number that makes the expression true there. A leaf does not
+ * count if another operand subtracts it again. */
 static bool find_owner(walk *w, uint32_t cell) {
   uint32_t owner = VS_NONE, first = VS_NONE;
   for (size_t i = 0; i < w->active.count; i++) {
@@ -490,7 +495,7 @@ static bool arrive(walk *w, uint32_t cell, uint64_t sum) {
   return !inside || !w->owned || find_owner(w, cell);
 }
 
-/* Returns the change of the sum of random numbers from the + side of the face to its - side. */
+/* Returns by how much the sum of random numbers for the windings changes from the + side of the face to its - side. */
 static uint64_t change(const walk *w, uint32_t face) {
   const vs_face *f = &w->c->faces.at[face];
   uint64_t sum = 0;
@@ -527,9 +532,9 @@ static bool walk_from(walk *w, uint32_t cell) {
   if (!arrive(w, cell, sum)) return false;
   while (depth) {
     uint32_t here = w->stack[depth - 1].cell;
-    if (w->state.at[here] & 8) w->stack[depth - 1].next = w->first.at[here + 1]; /* the value of the cell is decided by
-                                                                                  * one leaf, so the walk does not
-                                                                                  * continue from it */
+    if (w->state.at[here] & 8) w->stack[depth - 1].next = w->first.at[here + 1]; /* one leaf alone decides the value in
+                                                                                  * this cell, so the walk does not
+                                                                                  * continue from the cell */
     if (w->stack[depth - 1].next == w->first.at[here + 1]) {
       uint32_t back = w->stack[--depth].face; /* goes back through the face by which the walk entered the cell */
       if (back != VS_NONE && !pass(w, back, w->side.at[2 * back] == here ? 1 : -1)) return false;
@@ -577,15 +582,15 @@ static double about_area(const walk *w, uint32_t face) {
   return sum;
 }
 
-/* The result of a search for a face near a cell through which a line can pass. */
+/* The result of a search for a face through which a ray can pass, near a given cell. */
 typedef struct {
   uint32_t side;  /* side of the face for which winding numbers were found; valid if `done` is true */
   bool done;      /* false if the faces near the start are too small for a ray */
-  size_t cells;   /* number of cells in `queue` whose faces were searched */
+  size_t cells;   /* number of cells in w->queue whose faces were searched */
 } sighting;
 
-/* Searches the faces of the cell `start` and of cells connected to it, at most `most` cells and `faces` faces. Sends a
- * ray through the largest of these faces. */
+/* Searches the faces of the cell `start` and of cells connected to it: at most `most` cells and `faces` faces. Sends a
+ * ray through the largest face found. *a: the result. */
 static bool look_around(walk *w, uint32_t start, size_t most, size_t faces, sighting *a) {
   size_t head = 0, tail = 0, seen = 0;
   double best = -1;
@@ -623,13 +628,13 @@ static double about_thickness(const walk *w, uint32_t face) {
   return fabs(about_area(w, face)) / longest;
 }
 
-/* Returns true if the first cells in `queue` are too thin for a ray. If they are next to space whose value is decided,
- * they get its value. The result is closed with any value, because the faces between cells of different values are
- * closed. A cell is nowhere wider than the sum of the thicknesses of its faces. Even thousands of such thicknesses sum
- * to less than 2^-10 steps. */
+/* Returns true if the first `cells` cells in w->queue are too thin for a ray and one of them borders a cell with a
+ * known value. All of them then get this value. The result is closed for any value, because the kept faces are those
+ * between different values. Each cell is thinner than the sum of its faces' thicknesses, which is far less than a grid
+ * step. */
 static bool settle_crumbs(walk *w, size_t cells) {
-  static const double CRUMB = 64; /* greatest thickness of the faces of a cell that counts as too thin for a ray, in
-                                   * fixed-point units */
+  static const double CRUMB = 64; /* greatest thickness of a face, in fixed-point units, at which a ray cannot be aimed
+                                   * at the face */
   uint32_t known = VS_NONE;
   for (size_t i = 0; i < cells; i++)
     for (uint32_t cell = w->queue.at[i], j = w->first.at[cell]; j < w->first.at[cell + 1]; j++) {
@@ -663,8 +668,9 @@ static bool walk_component(walk *w, uint32_t start, size_t most) {
   uint32_t above = w->side.at[a.side], below = w->side.at[a.side ^ 1], through = a.side / 2;
   if (!(w->state.at[above] & 2) && !walk_from(w, above)) return false;
   if (w->state.at[below] & 2) return true;
-  const vs_face *f = &w->c->faces.at[through]; /* The value of the cell above is decided, so the walk cannot start
-                                                * there. The winding numbers below follow from the face's changes. */
+  const vs_face *f = &w->c->faces.at[through]; /* Inside the cell above, a single leaf decides the value, so the walk
+                                                * cannot start there. It starts in the cell below, whose winding numbers
+                                                * follow from the changes across the face. */
   for (uint32_t i = 0; i < f->cover_count; i++) {
     vs_cover cover = w->c->covers.at[f->cover + i];
     vs_cover across = { vs_solid_of(w->c, cover.leaf), a.side & 1 ? -cover.delta : cover.delta };
@@ -673,10 +679,9 @@ static bool walk_component(walk *w, uint32_t start, size_t most) {
   return walk_from(w, below);
 }
 
-/* Marks cells inside a leaf that alone decides the expression's value there. These cells need no ray. Such a leaf is a
- * star on the grid. A side of one of its faces is inside if the face separates the winding numbers 0 and 1. A thin star
- * may have been folded by the grid. Then it also has faces between the winding numbers -1 and 0, whose inner side is
- * outside of the leaf. The walk has to distinguish these. */
+/* Marks cells inside a leaf that alone decides the expression's value there; these cells need no ray. The leaf is a
+ * star on the grid (its middle sees every triangle from inside). A cell is inside the leaf if it lies beside a face
+ * that separates the winding numbers 0 and 1. */
 static bool mark_settled(walk *w) {
   const vs_cluster *c = w->c;
   bool value = c->joining || w->e->forced;
@@ -701,8 +706,8 @@ static bool mark_settled(walk *w) {
   return true;
 }
 
-/* Returns the leaf whose tag the face gets: the earliest one with this surface. If it is a bare leaf that is
- * subtracted, the owner of `cell` is used instead. cell: the cell beside the face that the result contains. */
+/* Returns the leaf whose tag the face gets: the first leaf that has this surface. If that is a bare leaf that is
+ * subtracted, returns the owner of `cell` instead. cell: the cell on the side of the face that is inside the result. */
 static uint32_t painter(const walk *w, uint32_t face, uint32_t cell) {
   const vs_cluster *c = w->c;
   const vs_face *f = &c->faces.at[face];
@@ -726,8 +731,8 @@ bool vs_classify_faces(vs_kernel *k, vs_cluster *c, vs_expression *e) {
   for (uint32_t i = 0; ok && i < w.cells; i++) {
     enum { AROUND = 1000 };
     if (w.state.at[i] & 2) continue;
-    /* The connected cells may be separated by space whose value is already decided. Therefore another start is
-     * tried. */
+    /* Space whose value is already decided may separate the connected cells. If the first ray does not reach cell i,
+     * another ray starts there. */
     ok = walk_component(&w, i, AROUND) && (w.state.at[i] & 2 || walk_component(&w, i, 1)) && vs_kernel_poll(k, 0.8);
   }
   ok = ok && VS_ROOM(k, c->kept.at, c->kept.room, c->faces.count + 1);

@@ -37,8 +37,8 @@ static bool split(const vs_affine *a, double r[3][3], double scale[3]) {
   return true;
 }
 
-/* Computes the inverse of r. If the columns are orthogonal to 1e-12, it is the transpose, and *rigid is true. Returns
- * false if the columns nearly lie in one plane, because such a frame would make the grid coarse. */
+/* Computes the inverse of r. If the columns are orthogonal to 1e-12, the inverse is the transpose, and *rigid is set to
+ * true. Returns false if the columns nearly lie in one plane, because such a frame would make the grid coarse. */
 static bool invert(double r[3][3], double back[3][3], bool *rigid) {
   bool orthogonal = true;
   for (int j = 0; j < 3; j++) {

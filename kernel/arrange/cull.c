@@ -38,8 +38,8 @@ static double box_size(const vs_bvh_box *b) {
   return ((double)b->max[0] - b->min[0]) * ((double)b->max[1] - b->min[1]) * ((double)b->max[2] - b->min[2]);
 }
 
-/* Computes p->to_local, the map from grid steps to the coordinates of the leaf's part, and p->margin, the length of two
- * steps there. Returns false if the placement is flat. */
+/* Sets p->to_local to the map from grid steps to the coordinates of the leaf's mesh, and p->margin to the length of two
+ * steps in these coordinates. Returns false if the placement is flat. */
 static bool find_local(const vs_grid *g, const vs_affine *to_frame, vs_placed *p) {
   double step = g->unit / g->scale, sum = 0;
   vs_affine inverse;
@@ -54,7 +54,7 @@ static bool find_local(const vs_grid *g, const vs_affine *to_frame, vs_placed *p
   }
   p->margin = 2 * step * sqrt(sum);
   vs_vec3 middle = vs_affine_point(to_frame, p->part->middle);
-  /* Tests whether the placement scales equally in all directions. A single factor then converts steps to lengths. */
+  /* If the placement scales equally in all directions, a single factor converts grid steps to lengths. */
   double x[3] = { middle.x, middle.y, middle.z }, scale = sqrt(sum / 3) * step;
   bool similar = true;
   for (int i = 0; i < 3; i++) {
@@ -129,8 +129,8 @@ bool vs_cull_prepare(vs_kernel *k, vs_cluster *c, const vs_affine *to_frame) {
   return ok;
 }
 
-/* Computes the box outside of which the expression is false (the gate), in steps, enlarged by two steps. Returns false
- * if there is none. */
+/* Computes the gate's box: the expression is false outside of it. The box is in grid steps and enlarged by two steps.
+ * Returns false if the expression has no gate. */
 static bool gate_box(const vs_cluster *c, double low[3], double high[3]) {
   if (!c->gate) return false;
   double step = c->grid.unit / c->grid.scale;
@@ -170,8 +170,9 @@ static bool in_lid(const vs_placed *lid, const double p[3]) {
 bool vs_cull_needed(const vs_cluster *c, uint32_t place) {
   const vs_placed *p = &c->placed.at[place];
   double low[3], high[3];
-  if (c->layered && c->layered[c->leaves[place]]) return false; /* when solids are united level by level, the leaf that
-                                                                 * contains this leaf may be in another level */
+  if (c->layered && c->layered[c->leaves[place]]) return false; /* While solids are united level by level, the leaf that
+                                                                 * contains this one may belong to another level.
+                                                                 * Therefore nothing is removed. */
   if (p->lids_count) return true;
   bool out = false;
   if (gate_box(c, low, high)) /* if the leaf is entirely inside the gate's box, the box removes nothing */
@@ -237,13 +238,12 @@ bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const 
   return false;
 }
 
-/* Removes a ball around the lid's middle from a convex outline of n corners. Replaces the outline by places on its
- * edges whose convex hull contains the remaining part. A place in the outline outside of the ball lies on a chord that
- * does not intersect the ball, and the ends of the chord are on edges. A corner on the ball stays; additional places do
- * no harm. Returns the number of places; 0 if nothing remains or the test cannot decide. */
+/* Removes a ball around the lid's middle from a convex outline of n corners. Replaces the outline by points on its
+ * edges whose convex hull contains the remaining part. Returns the number of these points; 0 if nothing remains or
+ * rounding errors prevent a decision. */
 static uint32_t clip_outline(const vs_placed *lid, double radius, double (*at)[3], uint32_t n, uint32_t room) {
-  /* SURELY: fraction of the squared radius that exceeds all rounding errors. FAR: greatest ratio of a corner's squared
-   * distance from the ball to the squared radius for which it does. */
+  /* SURELY: the ball's squared radius is reduced by this fraction, which exceeds all rounding errors. FAR: greatest
+   * ratio of a corner's squared distance from the ball's middle to the squared radius for which SURELY exceeds them. */
   static const double SURELY = 1e-6, FAR = 1e6;
   double (*out)[3] = at + room; /* the result uses the second half of the caller's array */
   uint32_t count = 0;
@@ -283,7 +283,7 @@ void vs_cull_box(const vs_cluster *c, uint32_t place, const vs_patch_corner *cor
       other = fmax(other, (double)lid->box.max[a] - lid->box.min[a]);
     }
     if (size < other / 2) continue; /* the box of the patch is less than half as large as the box of the lid, so a
-                                     * reduction saves little work */
+                                     * smaller box would save little work */
     for (uint32_t j = 0; !begun && j < count; j++)
       for (int a = 0; a < 3; a++) at[j][a] = corners[j].at[a];
     begun = true;

@@ -4,21 +4,22 @@
 
 #include "kernel/cluster.h"
 
-bool vs_cull_prepare(vs_kernel *k, vs_cluster *c, const vs_affine *to_frame); /* Finds the lids of the cluster: convex
-                                                                               * leaves whose inside is decided.
-                                                                               * vs_snap_to_grid calls this function.
-                                                                               * Returns false on an error. */
+bool vs_cull_prepare(vs_kernel *k, vs_cluster *c, const vs_affine *to_frame); /* Finds, for each leaf of the cluster,
+                                                                               * the nearby lids: convex leaves inside
+                                                                               * which the expression's value is
+                                                                               * decided. vs_snap_to_grid calls this
+                                                                               * function. Returns false on an error. */
 /* Sets masks[v] to the set of lids that contain vertex v, for the vertices from `begin` to `end` - 1 of a leaf. A lid
  * is a convex leaf whose inside is decided. place: index of the leaf in the cluster. Returns false if interrupted. */
 bool vs_cull_vertices(vs_kernel *k, const vs_cluster *c, uint32_t place, size_t begin, size_t end, uint64_t *masks);
-bool vs_cull_needed(const vs_cluster *c, uint32_t place); /* returns false if vs_cull_vertices would set all masks of
-                                                           * the leaf to 0, because no other leaf can hide its
-                                                           * vertices */
+bool vs_cull_needed(const vs_cluster *c, uint32_t place); /* returns false if no other leaf can hide vertices of the
+                                                           * leaf with the index `place`; vs_cull_vertices would then
+                                                           * set all masks to 0 */
 /* Reduces the box of a patch to the part that may be visible: outside of the balls inscribed in lids, convex leaves
  * whose inside is decided. place: index of the patch's leaf in the cluster. */
 void vs_cull_box(const vs_cluster *c, uint32_t place, const vs_patch_corner *corners, uint32_t count, vs_bvh_box *box);
-/* Returns true if the point p, in steps, is at least two steps inside a lid (convex leaf whose inside is decided) near
- * the leaf `place`. */
+/* Returns true if the point p, in grid steps, is at least two steps inside a lid (convex leaf inside which the
+ * expression's value is decided) near the leaf with the index `place`. */
 bool vs_cull_point(const vs_cluster *c, uint32_t place, const double p[3]);
 /* Returns true if the segment from p to q, in steps, is at least two grid steps inside a lid (convex leaf whose inside
  * is decided) near the leaf with the index `place`. The lid with the index `other` does not count. */

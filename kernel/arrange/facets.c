@@ -16,7 +16,8 @@
 enum { SPAN = 1 << 12, BATCH = 1 << 17 /* SPAN: number of triangles that one task handles; BATCH: number of triangles
                                         * that are handled before the next batch begins */ };
 #define FLAT UINT32_MAX
-#define GONE (UINT32_MAX - 1) /* value in `number` for a culled or untouched triangle, which gets no facet */
+#define GONE (UINT32_MAX - 1) /* value in the array `number` for a triangle that gets no facet, because it was removed
+                               * as hidden or no other triangle touches it */
 
 typedef struct {
   vs_plane plane;
@@ -28,7 +29,7 @@ typedef struct {
 typedef struct {
   uint32_t place, first, end; /* place: index of the leaf in the cluster; first, end: range of the leaf's triangles that
                                * one task handles */
-  uint32_t base;              /* number in the current batch of the first triangle of this range */
+  uint32_t base;              /* number, counted over the current batch, of the first triangle of this range */
   VS_LIST(found_triangle) found;
 } span;
 typedef struct {
@@ -40,29 +41,30 @@ typedef struct {
 
 typedef struct {
   vs_cluster *c;
-  uint32_t first, end;          /* range of leaves in the batch: indices in the cluster from `first` to `end` - 1 */
+  uint32_t first, end;          /* leaves of the batch: those with the indices `first` to `end` - 1 in the cluster */
   VS_LIST(batch_leaf) leaves;
   VS_LIST(span) spans;
-  size_t span_count;            /* number of spans that have memory, counted over all batches */
+  size_t span_count;            /* number of spans (ranges of triangles) that have memory; later batches use this memory
+                                 * again */
   VS_LIST(uint32_t) number;     /* number[t]: index of the mesh's triangle t among the triangles kept in its span, or
                                  * FLAT or GONE */
-  VS_LIST(_Atomic uint32_t) sets; /* union-find structure over the kept triangles; a set is a facet: connected triangles
-                                   * in one plane */
-  bool straight;                  /* true if the facets into which the grid has split a planar facet are to be collected
-                                   * (to sheets) */
-  VS_LIST(_Atomic uint32_t) sheets; /* union-find structure over the kept triangles, if `straight`; a set is a sheet:
-                                     * connected triangles nearly in one plane */
-  VS_LIST(uint32_t) facet;      /* facet[i]: facet that begins with the kept triangle i */
+  VS_LIST(_Atomic uint32_t) sets; /* union-find structure over the kept triangles; each set is one facet: connected
+                                   * triangles in one plane */
+  bool straight;                  /* true if facets are to be collected to sheets: the grid has split one planar facet
+                                   * into the facets of a sheet */
+  VS_LIST(_Atomic uint32_t) sheets; /* union-find structure over the kept triangles, filled only if `straight`; each set
+                                     * is one sheet: connected triangles nearly in one plane */
+  VS_LIST(uint32_t) facet;      /* facet[i]: number of the facet whose first triangle is the kept triangle i */
   VS_LIST(uint32_t) ids;        /* ids[v]: point number of vertex v of the current leaf, or VS_NONE */
-  VS_LIST(uint32_t) twins;      /* pairs of corners with opposite edges (see vs_twins_find), for leaves whose mesh has
-                                 * no such list */
+  VS_LIST(uint32_t) twins;      /* pairs of corners with opposite edges (vs_twins_find); filled only if the leaf's mesh
+                                 * has no such list */
   VS_LIST(uint32_t) fresh;      /* vertices of the current span that have no point number yet */
-  size_t given;                 /* number of the cluster's triangles in all earlier batches */
+  size_t given;                 /* number of triangles in all earlier batches of the cluster */
 } facets;
 
 static uint32_t turned(bool mirrored, uint32_t j) { return mirrored ? 2 - j : j; }
-/* Converts an edge index of a mesh's triangle to that of the grid's triangle, whose corners are reversed if the leaf is
- * mirrored. Also converts back. */
+/* Converts the index of an edge from a mesh's triangle to the grid's triangle, or back. The corners of the grid's
+ * triangle are in reverse order if the leaf is mirrored. */
 static uint32_t turned_edge(bool mirrored, uint32_t j) { return mirrored ? (4 - j) % 3 : j; }
 
 /* Finds the pairs of opposite edges (twins) of a leaf on the grid, see vs_twins_find. place: index of the leaf. */
@@ -117,9 +119,9 @@ static bool same_plane(const found_triangle *a, const found_triangle *b) {
  * coordinates of the leaf's vertices; v, w: vertices of the two triangles. */
 static bool nearly_one_plane(int32_t (*at)[3], const found_triangle *a, const uint32_t v[3], const found_triangle *b,
                              const uint32_t w[3]) {
-  static const double OFF = 4, ALIKE = 0.999; /* OFF: greatest number of steps by which rounding of three corners may
-                                               * move a fourth corner off their plane; ALIKE: least cosine of the angle
-                                               * between normals that may have been one */
+  static const double OFF = 4, ALIKE = 0.999; /* OFF: the grid may move three corners so that a fourth corner of their
+                                               * plane is this many steps off it, at most. ALIKE: least cosine of the
+                                               * angle between two normals that may belong to one plane of the input. */
   double n = 0, m = 0, both = 0, above = 0, below = 0;
   for (int i = 0; i < 3; i++) {
     double x = (double)a->plane.n[i], y = (double)b->plane.n[i];
@@ -149,8 +151,8 @@ static bool join_span(vs_kernel *k, void *context, size_t index) {
       uint32_t twin = l->twins[3 * (size_t)a->source + turned_edge(l->mirrored, j)];
       if (twin == VS_NONE || twin / 3 == a->source) continue;
       uint32_t number = f->number.at[l->triangles + twin / 3];
-      /* The grid has moved the neighbour's corners onto one line. Therefore this triangle may have to be split along
-       * that line. */
+      /* The grid has moved the corners of the neighbouring triangle onto one line. Therefore this triangle may have to
+       * be split along that line. */
       if (number == FLAT) a->inner |= VS_BESIDE_FLAT;
       if (number >= GONE) continue;
       const span *other = &f->spans.at[l->span + twin / 3 / SPAN];
@@ -160,7 +162,8 @@ static bool join_span(vs_kernel *k, void *context, size_t index) {
           (same || nearly_one_plane(f->c->corners + p->first, a, corners[a->source], b, corners[b->source])))
         vs_unite_shared(f->sheets.at, s->base + i, other->base + number);
       if (!same) continue;
-      a->inner |= (uint8_t)(1u << j); /* the task for the neighbour sets the neighbour's bit in the same way */
+      a->inner |= (uint8_t)(1u << j); /* the task that handles the neighbouring triangle sets the bit of that triangle
+                                       * for this edge */
       if (a->source < b->source) vs_unite_shared(f->sets.at, s->base + i, other->base + number);
     }
   }
@@ -170,7 +173,7 @@ static bool join_span(vs_kernel *k, void *context, size_t index) {
 /* ---- steps in a fixed order ---- */
 
 /* Sets the point numbers of the triangles of all spans. Points are numbered in the order in which triangles first refer
- * to them. The points of one span at a time are searched, so that memory can be prefetched. */
+ * to them. Within a span, memory for the searches is prefetched. */
 static bool give_points(vs_kernel *k, facets *f) {
   vs_cluster *c = f->c;
   vs_grid_triangle *to = c->triangles.at; /* `to` may be NULL if there are no triangles, and adding an offset to NULL is
@@ -315,8 +318,8 @@ static bool index_facets(vs_kernel *k, vs_cluster *c) {
   if (!VS_PUSH(k, c->facets, last) || !VS_ROOM(k, c->facet_triangles.at, c->facet_triangles.room, n + 1)) return false;
   for (size_t t = 0; t < n; t++) c->facets.at[c->triangles.at[t].facet + 1].first++;
   for (size_t i = 1; i <= f; i++) c->facets.at[i].first += c->facets.at[i - 1].first;
-  for (size_t t = n; t-- > 0;) { /* Each facet's `first` begins as the end of its range and decreases to the
-                                  * beginning. */
+  for (size_t t = n; t-- > 0;) { /* facets[i].first begins as the end of the facet's range in facet_triangles, and
+                                  * decreases to the beginning as triangles are entered. */
     uint32_t facet = c->triangles.at[t].facet;
     c->facet_triangles.at[--c->facets.at[facet + 1].first] = (uint32_t)t;
   }

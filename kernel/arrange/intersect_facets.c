@@ -22,26 +22,25 @@
 
 #define FRESH (UINT32_C(1) << 31)
 
-typedef struct { uint32_t a, b, p, q, cut; } contact; /* a, b: two facets that touch; p, q: ends of the segment that the
-                                                       * facets share; cut: bit 0: the segment is new in a; bit 1: it is
-                                                       * new in b */
+typedef struct { uint32_t a, b, p, q, cut; } contact; /* a, b: indices of two facets that touch; p, q: point numbers of
+                                                       * the ends of the segment that they share; cut: bit 0: the
+                                                       * segment is new in facet a; bit 1: it is new in facet b */
 
 enum { BREAK = 0, UP = 1, DOWN = 2 };
 typedef struct {
   int64_t fixed[3];
-  uint32_t id;   /* number of an existing point, or FRESH plus an index in `crossings` */
-  uint8_t first, exact; /* first: 1 if this event belongs to the outline of the pair's first facet; exact: 1 if its
-                         * fixed-point numbers are exact */
-  uint8_t turns; /* bits UP and DOWN: whether the line moved up, or the line moved down, enters or leaves the facet
-                  * here */
+  uint32_t id;   /* point number of the event, or FRESH plus an index in `crossings` for a new point */
+  uint8_t first, exact; /* first: 1 if the event lies on the outline of the first facet of the pair, 0 for the second;
+                         * exact: 1 if the event's fixed-point numbers are exact */
+  uint8_t turns; /* bits UP and DOWN: UP is set if the line, moved up a little, enters or leaves the facet at this
+                  * event; DOWN likewise for the line moved down */
 } event;
 
 /* Memory that one thread reuses for all its pairs of facets. */
 typedef struct {
   VS_LIST(event) events;
-  VS_LIST(vs_fresh_point) crossings; /* new points on the line of the current two planes */
-  VS_LIST(uint32_t) given;           /* given[i]: number of crossings[i] among the new points of the chunk, or
-                                      * VS_NONE */
+  VS_LIST(vs_fresh_point) crossings; /* new points on the line in which the current two planes intersect */
+  VS_LIST(uint32_t) given;           /* given[i]: index of crossings[i] among the new points of the chunk, or VS_NONE */
 } working;
 
 typedef struct {
@@ -190,8 +189,8 @@ static bool add_contact(chunk *m, uint32_t a, uint32_t b, const event *from, con
   return !cut || VS_PUSH(m->k, m->contacts, ((contact){ a, b, p, q, cut }));
 }
 
-/* Returns the first event, from index i on, and skips all events at the same point. If one of these has an existing
- * point, that event is returned. *end: index after the last event at this point. */
+/* Returns the first event from index i on, and skips all further events at the same point. If the point of one of these
+ * events has a number, returns that event. *end: index after the last event at this point. */
 static event *gather(chunk *m, size_t i, int axis, size_t *end) {
   event *at = m->w->events.at, *best = &at[i];
   VS_ASSERT(i < m->w->events.count);
@@ -211,8 +210,8 @@ static bool share(chunk *m, uint32_t a, uint32_t b) {
   for (size_t i = 0; i < m->w->crossings.count; i++) m->w->given.at[i] = VS_NONE;
   int axis = axis_of(plane_of(c, f), plane_of(c, g));
   sort_events(m, axis);
-  uint8_t in[2] = { 0, 0 }; /* in[f]: bits UP and DOWN, whether the line moved up, or down, is inside facet f of the
-                             * pair */
+  uint8_t in[2] = { 0, 0 }; /* in[f]: bit UP is set if the line, moved up a little, is inside facet f of the pair; bit
+                             * DOWN likewise for the line moved down */
   bool covered = false;     /* true if both facets of the pair contain the interval of the line before this event */
   event before = { .id = VS_NONE };
   for (size_t i = 0, end; i < n; i = end) {
@@ -252,10 +251,11 @@ typedef struct {
   VS_LIST(vs_bvh_box) boxes;
   VS_LIST(uint32_t) families, group, ids;
   chunk chunks[VS_PIPELINE_WINDOW];
-  working *works; /* memory of each thread, an array with one element for each */
+  working *works; /* array with the working memory of each thread */
 } meeting;
 
-enum { CHUNK = 64 }; /* number of blocks of the tree of boxes whose pairs one task tests */
+enum { CHUNK = 64 }; /* The pairs of patches are searched in blocks of the tree of boxes. This is the number of blocks
+                      * of one task. */
 
 static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
   meeting *all = context;

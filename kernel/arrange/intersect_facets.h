@@ -4,8 +4,9 @@
 
 #include "kernel/cluster.h"
 
-/* Makes c->cuts and unites coplanar facets that touch to groups, as vs_meet_patches does, for facets that are given by
- * their border edges. Returns false on an error. */
+/* Makes c->cuts, the segments in which facets cut each other, and unites touching facets of one plane to groups. Facets
+ * are given by their border edges; vs_meet_patches does this for facets that consist of triangles. Returns false on an
+ * error. */
 bool vs_meet_facets(vs_kernel *k, vs_cluster *c);
 
 #endif

@@ -24,24 +24,24 @@
 typedef struct {
   uint32_t a, b, p, q; /* a, b: indices of the patches; p, q: numbers of the points at the segment's ends; a number with
                         * the bit FRESH is a new point of the chunk */
-  uint32_t cut;        /* bit 0: the segment is new in patch a; bit 1: it is new in patch b; 0: the patches are
-                        * coplanar, and their facets are united to a group */
+  uint32_t cut;        /* Bit 0: the segment is new in patch a; bit 1: it is new in patch b. 0: the patches lie in one
+                        * plane and touch, so their facets are united to a group. */
 } contact;
 #define FRESH (UINT32_C(1) << 31)
 
-/* The point where an edge crosses a patch. The two triangles at the edge need it, mostly within a short time, so it is
- * cached. */
+/* A cached point where an edge crosses a patch. The two triangles at the edge both need it, mostly within a short
+ * time. */
 typedef struct {
   uint32_t low, high, patch; /* low, high: points at the ends of the edge; patch: index of the patch that the edge
                               * crosses */
-  uint32_t fresh;            /* number of the point among the chunk's new points, or VS_NONE */
+  uint32_t fresh;            /* index of the point among the chunk's new points, or VS_NONE */
 } crossing;
 enum { CROSSINGS = 1 << 12 };
 
 /* Memory that one thread reuses for all its pairs of patches. */
 typedef struct {
-  VS_LIST(double) heights[2];     /* heights[i]: heights of the corners of patch i of a pair over the plane of the other
-                                   * patch, in steps times the normal's length */
+  VS_LIST(double) heights[2];     /* heights[i]: heights of the corners of patch i of the pair over the plane of the
+                                   * other patch, in grid steps times the length of that plane's normal */
   VS_LIST(crossing) crossings;    /* hash table of the points that were computed most recently */
   VS_LIST(vs_patch_corner) line;  /* corners of the patches that lie on their shared segment, in order along it */
 } working;
@@ -52,11 +52,12 @@ typedef struct {
   working *w;
   VS_LIST(contact) contacts;
   VS_LIST(vs_fresh_point) fresh;
-  VS_LIST(vs_edge) edges;         /* edges[i]: an input edge that contains the new point i of the chunk */
-  size_t asked;                   /* number of segments that the thread tested for being hidden inside a convex leaf */
-  size_t left, looked, hidden;    /* left: number of segments that no single convex leaf hides entirely; looked:
-                                   * number of these whose middle was tested; hidden: number of tested middles that
-                                   * are hidden */
+  VS_LIST(vs_edge) edges;         /* edges[i]: an edge of the input that contains the new point i of the chunk */
+  size_t asked;                   /* number of segments for which the thread tested whether a convex leaf hides them
+                                   * entirely */
+  size_t left, looked, hidden;    /* left: number of segments that no single convex leaf hides entirely; looked: number
+                                   * of segments among these whose middle was tested; hidden: number of tested middles
+                                   * that are hidden */
 } chunk;
 
 static const vs_patch_corner *corners(const vs_cluster *c, const vs_patch *p) { return c->patch_corners.at + p->first; }
@@ -92,8 +93,8 @@ typedef struct {
   double *height;                /* height[i]: height of the patch's corner i over the other patch's plane; its sign is
                                   * exact, and 0 is exactly 0 */
   double error;                  /* upper bound for the error of each height that is not 0 */
-  uint32_t on, first_on, last_on; /* on: number of corners in the other patch's plane; first_on, last_on: the first and
-                                   * the last of these corners */
+  uint32_t on, first_on, last_on; /* on: number of the patch's corners that lie in the other patch's plane; first_on,
+                                   * last_on: indices of the first and the last of these corners */
   bool above, below;             /* above: true if the patch has corners above the other patch's plane; below: true if
                                   * it has corners below it */
 } facing;
@@ -102,9 +103,9 @@ static vs_i128 height(const vs_plane *p, const int32_t at[3]) {
   return (vs_i128)p->n[0] * at[0] + (vs_i128)p->n[1] * at[1] + (vs_i128)p->n[2] * at[2] - p->d;
 }
 
-/* Computes the heights as doubles, relative to a corner of the other patch; differences of 33 bits are exact. The
- * normal, the three products and the two sums have relative errors of 2^-53. The total error is below 2^-50 of the sum
- * of the products' sizes, and zero if these are below 2^53. */
+/* Sets f->height: the heights of a patch's corners over the other patch's plane, as doubles, relative to a corner of
+ * the other patch. The relative errors of all operations sum to less than 2^-50 of the products' sizes. The error is
+ * zero if these sizes are below 2^53. */
 static void face_to(const vs_cluster *c, facing *f) {
   const vs_plane *p = &c->planes.all.at[f->other->plane];
   const vs_patch_corner *x = corners(c, f->of);
@@ -145,8 +146,8 @@ static crossing *crossing_of(chunk *m, uint32_t p, uint32_t q, uint32_t patch) {
  * between a corner and the next. */
 typedef struct {
   const facing *f;
-  uint32_t corner, next; /* next: the end lies between `corner` and the corner `next`, or at `corner` if the two are
-                          * equal */
+  uint32_t corner, next; /* the end lies on the edge between `corner` and the corner `next`, or at `corner` if the two
+                          * are equal */
   double at, error;      /* at: coordinate of the end along the line's main axis, in steps; error: upper bound for its
                           * error */
 } end;
@@ -180,9 +181,9 @@ static double fraction(const end *e) {
   return is_corner(e) ? 0 : u / (u - v);
 }
 
-/* Computes the interval of the line that the patch covers. An end on an edge is at the fraction t = u / (u - v), where
- * u and v are the heights of the edge's corners. The error of t is below 3 errors of a height / |u - v|, because t <=
- * 1. Rounding adds errors below 2^-18 steps along the edge. */
+/* Computes the interval of the line that the patch covers. On an edge whose ends have the heights u and v, the interval
+ * ends at the fraction t = u / (u - v) of the edge. The error of t is below 3 errors of a height / |u - v|. Rounding
+ * adds errors below 2^-18 steps. */
 static void cover(const vs_cluster *c, const facing *f, int axis, end *low, end *high) {
   const vs_patch_corner *x = corners(c, f->of);
   const double *h = f->height;
@@ -236,7 +237,7 @@ static bool end_at(const vs_cluster *c, const end *e, double at[3]) {
   return is_corner(e) || 4 * e->f->error * length <= 0.25 * fabs(h[e->corner] - h[e->next]);
 }
 
-/* Returns true if the coplanar patches a and b share more than corners and edges that they have in common. */
+/* Returns true if the coplanar patches a and b overlap or touch at more than their common corners and edges. */
 static bool overlap(const vs_cluster *c, const vs_patch *a, const vs_patch *b) {
   const vs_plane *plane = &c->planes.all.at[a->plane];
   const vs_patch *t[2] = { a, b };
@@ -259,21 +260,21 @@ static bool overlap(const vs_cluster *c, const vs_patch *a, const vs_patch *b) {
   return !(apart && a->facet == b->facet);
 }
 
-/* Returns true if triangles a and b of one leaf, in different planes, share only a corner or edge, as neighbours do.
- * Returns false also if the test would take long. Triangles with a common edge share only this edge, because it lies on
- * the line of their planes. Triangles with one common corner share only this corner if the other corners of one
- * triangle lie on one side of the other's plane. */
+/* Returns true if triangles a and b of one leaf, in different planes, share only a corner or edge, as neighbours do. A
+ * common edge is all that they share. With a common corner, it is all if the other corners of one triangle lie on one
+ * side of the other's plane. Returns false if this quick test does not decide. */
 static bool only_neighbours(const vs_cluster *c, const vs_patch *a, const vs_patch *b) {
   if (a->count != 3 || b->count != 3) return false;
   const vs_patch_corner *x = corners(c, a), *y = corners(c, b);
-  uint32_t in_a = 0, in_b = 0; /* corners of triangle a, or b, that the other triangle also has: bit i for corner i */
+  uint32_t in_a = 0, in_b = 0; /* in_a: bit i is set if corner i of triangle a is also a corner of triangle b; in_b: the
+                                * same for the corners of b */
   for (uint32_t i = 0; i < 3; i++)
     for (uint32_t j = 0; j < 3; j++) {
       uint32_t same = x[i].point == y[j].point;
       in_a |= same << i, in_b |= same << j;
     }
-  static const uint8_t edge[8] = { [3] = 1, [6] = 2, [5] = 4 }; /* edge[c]: bit of the edge between two corners, where c
-                                                                 * has the bits of the two corners */
+  static const uint8_t edge[8] = { [3] = 1, [6] = 2, [5] = 4 }; /* bit of the edge between two corners of a triangle;
+                                                                 * the index has the bits of these two corners */
   if (edge[in_a]) return !(a->inner & edge[in_a]) && !(b->inner & edge[in_b]);
   if (!in_a) return false;
   for (int side = 0; side < 2; side++) {
@@ -318,8 +319,8 @@ static bool end_point(chunk *m, const end *e, uint32_t *id) {
   return true;
 }
 
-/* Inserts into `line` the corners of f's patch between the ends low and high. The function is used if edges lie on the
- * line of the two planes. A corner that is at an end of the segment replaces that end. */
+/* Inserts into `line` the corners of f's patch that lie between the ends low and high. Called if an edge of a patch may
+ * lie on the line of the two planes. If such a corner is at the same place as an end, it replaces the end. */
 static bool corners_between(chunk *m, const facing *f, int axis, end *low, end *high) {
   const vs_patch_corner *x = corners(m->c, f->of);
   for (uint32_t i = 0; f->on > 2 && i < f->of->count; i++) {
@@ -343,8 +344,8 @@ static bool corners_between(chunk *m, const facing *f, int axis, end *low, end *
   return true;
 }
 
-/* Returns true if the segment from p to q is new for f's patch. The points p and q are on the line of the two planes,
- * and f names its corners on that line. */
+/* Returns true if the segment from p to q is new for f's patch, thus no edge or corner of it. The points p and q are on
+ * the line of the two planes; f->first_on and f->last_on are the patch's corners on that line. */
 static bool is_new_on(const vs_cluster *c, const facing *f, uint32_t p, uint32_t q) {
   const vs_patch_corner *x = corners(c, f->of);
   if (f->on > 2) return is_new(c, f->of, p, q);
@@ -356,8 +357,7 @@ static bool is_new_on(const vs_cluster *c, const facing *f, uint32_t p, uint32_t
   return (between != 1 && between + 1 != f->of->count) || (edge < 3 && (f->of->inner >> edge & 1));
 }
 
-/* Returns bits. Bit 0: the segment from p to q is new in the first patch; bit 1: it is new in the second patch. A newly
- * computed point is not a corner of either patch, because it would have been found as that corner. */
+/* Returns two bits. Bit 0: the segment from p to q is new in the first patch. Bit 1: it is new in the second patch. */
 static uint32_t new_in(const vs_cluster *c, const facing f[2], uint32_t p, uint32_t q) {
   if ((p | q) & FRESH) return 3;
   return (uint32_t)is_new_on(c, &f[0], p, q) | (uint32_t)is_new_on(c, &f[1], p, q) << 1;
@@ -372,7 +372,7 @@ static bool add_contact(chunk *m, const facing f[2], uint32_t p, uint32_t q) {
 
 static uint32_t corner_point(const vs_cluster *c, const end *e) { return corners(c, e->f->of)[e->corner].point; }
 
-/* Tests for every 16th cut whether its middle is inside a convex leaf, and so hidden in the result. */
+/* For every 16th cut (segment that two patches share), tests whether a convex leaf hides its middle in the result. */
 static void look_whether_hidden(chunk *m, uint32_t place, const double p[3], const double q[3]) {
   enum { ONE_IN = 16 };
   if (++m->left % ONE_IN) return;
@@ -388,8 +388,9 @@ static bool share(chunk *m, const vs_patch *a, const vs_patch *b) {
   facing f[2];
   end low[2], high[2];
   for (int i = 0; i < 2; i++) {
-    int which = (t[1]->count < t[0]->count) ^ i; /* begins with the patch that has fewer corners, because its heights
-                                                  * are cheaper and decide most cases */
+    int which = (t[1]->count < t[0]->count) ^ i; /* Begins with the patch that has fewer corners. Its heights over the
+                                                  * other plane are cheaper to compute, and mostly show that the pair
+                                                  * does not touch. */
     if (!VS_ROOM(m->k, m->w->heights[which].at, m->w->heights[which].room, t[which]->count)) return false;
     f[which] = (facing){ .of = t[which], .other = t[!which], .height = m->w->heights[which].at };
     face_to(c, &f[which]);
@@ -402,8 +403,8 @@ static bool share(chunk *m, const vs_patch *a, const vs_patch *b) {
       to = high[above < 0 || (above == 0 && !is_corner(&high[0]))];
   int length = compare(c, &to, &from, axis);
   if (length < 0) return true;
-  if (length == 0 && !is_corner(&from)) from = to; /* the shared segment is a single point: prefers the end that is a
-                                                    * corner */
+  if (length == 0 && !is_corner(&from)) from = to; /* the shared segment is a single point: uses the end that is a
+                                                    * corner of a patch, if there is one */
   if (length == 0) to = from;
   if (is_corner(&from) && is_corner(&to) && !new_in(c, f, corner_point(c, &from), corner_point(c, &to))) return true;
   if (t[0]->place != t[1]->place) {
@@ -451,10 +452,10 @@ typedef struct {
   uint32_t *group; /* group[f]: parent of facet f in a union-find structure of coplanar facets that touch */
   VS_LIST(uint32_t) ids;  /* ids[i]: number in the cluster of the new point i of a chunk */
   chunk chunks[VS_PIPELINE_WINDOW];
-  working *works; /* memory of each thread, an array with one element for each */
+  working *works; /* array with the working memory of each thread */
   size_t chunk_count;
-  size_t asked, left, looked, hidden; /* sums of the members `asked`, `left`, `looked` and `hidden` of the chunks so
-                                       * far */
+  size_t asked, left, looked, hidden; /* sums, over the chunks so far, of their members `asked`, `left`, `looked` and
+                                       * `hidden` */
 } meeting;
 
 static bool leave(meeting *m, const vs_patch *t, uint32_t p, uint32_t q, uint32_t plane) {
@@ -462,8 +463,9 @@ static bool leave(meeting *m, const vs_patch *t, uint32_t p, uint32_t q, uint32_
   return VS_PUSH(m->k, m->c->cuts, ((vs_facet_cut){ t->facet, p, q, plane }));
 }
 
-/* Returns true if the chunks so far show that there are very many cuts, nearly all of them hidden. If most cuts appear
- * in the result, as in a lattice of holes, levels would only repeat the work. */
+/* Returns true if the chunks so far show that there are very many cuts and that the result hides nearly all of them.
+ * The solids are then united two by two instead. If most cuts are visible, as in a lattice of holes, that would only
+ * repeat the work. */
 static bool most_is_hidden(const meeting *m, size_t index) {
   enum { SURE = 500, EACH = 32, LEAST = 20000 };
   const vs_cluster *c = m->c;
@@ -502,8 +504,8 @@ static bool absorb(vs_kernel *k, void *context, size_t index) {
   return true;
 }
 
-enum { CHUNK = 64 }; /* Number of blocks of the tree of boxes whose pairs one task tests. All partners of a large patch
-                      * are in one chunk. */
+enum { CHUNK = 64 }; /* The pairs of patches are searched in blocks of the tree of boxes. This is the number of blocks
+                      * of one task. All partners of a large patch are found by one task. */
 
 static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
   meeting *all = context;

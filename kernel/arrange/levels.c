@@ -28,13 +28,14 @@
 
 /* The border of the union of some leaves: facets, given by their border edges. */
 typedef struct {
-  vs_points_table points; /* points of the shell; the table has no hash table */
-  vs_outlines outlines;   /* facets and border edges of the shell, which refer to the members of `points` */
+  vs_points_table points; /* points of the shell, without the hash table that finds a point by its coordinates */
+  vs_outlines outlines;   /* facets of the shell and their border edges, which refer to elements of `points` */
   vs_bvh_box box;
-  uint32_t solid;         /* number of a leaf inside the shell, which identifies the solid */
+  uint32_t solid;         /* number of one leaf that the shell contains, as the name of the solid */
 } shell;
 
-/* A range of leaves in `order`. made: true if both halves of the range are already on the stack of shells. */
+/* A range of leaves: order[first] to order[end - 1]. made: true if the shells of both halves of the range are already
+ * on the stack. */
 typedef struct { uint32_t first, end; bool made; } span;
 
 typedef struct {
@@ -43,16 +44,17 @@ typedef struct {
   vs_expression *e;
   VS_LIST(uint32_t) order;       /* indices of the leaves to unite, in an order in which leaves that are close in space
                                   * are neighbours */
-  VS_LIST(uint64_t) weight;      /* weight[i]: sum of the weights of the first i leaves in `order`; an extra element
+  VS_LIST(uint64_t) weight;      /* weight[i]: number of facets of the first i leaves in `order`, plus 1 for each of
+                                  * these leaves */
+  VS_LIST(uint32_t) facet_first; /* facet_first[i]: index of the first facet of leaf i of the cluster; an extra element
                                   * marks the end */
-  VS_LIST(uint32_t) facet_first; /* facet_first[i]: first facet of the leaf with the index i; an extra element marks the
-                                  * end */
   VS_LIST(span) spans;
   VS_LIST(shell) shells;
-  /* number[p]: number of the cluster's point p in the shell to which it is copied. Between two copies, all elements are
-   * VS_NONE. */
+  /* number[p]: while points are copied from the cluster to a shell, the shell's number of the cluster's point p.
+   * Otherwise VS_NONE. */
   VS_LIST(uint32_t) number;
-  VS_LIST(uint32_t) taken;       /* points p for which number[p] is set, so that they can be reset */
+  VS_LIST(uint32_t) taken;       /* numbers p of the points for which number[p] is set, so that these elements can be
+                                  * reset */
   VS_LIST(uint32_t) moved;       /* moved[i]: number in the cluster of point i of the shell that is copied there */
   size_t done;
 } levels;
@@ -96,8 +98,8 @@ static bool take_points(levels *l, shell *s, const vs_points_table *from) {
   return true;
 }
 
-/* Appends the facets of shell s to those of cluster `to`. family: family of the facets in the tree of boxes, see bvh.h.
- * The caller appends the extra facet that marks the end of the last facet. */
+/* Appends the facets of shell s to those of cluster `to`. family: facets of one family are not tested against each
+ * other (bvh.h). The caller appends the extra facet that marks the end of the last facet. */
 static bool add_shell(levels *l, vs_cluster *to, const shell *s, uint32_t family) {
   vs_kernel *k = l->k;
   size_t points = s->points.all.count, facets = s->outlines.facets.count;
@@ -128,12 +130,12 @@ static bool add_shell(levels *l, vs_cluster *to, const shell *s, uint32_t family
 
 static bool end_facets(vs_kernel *k, vs_cluster *c) {
   if (!VS_PUSH(k, c->facets, ((vs_facet){ .leaf = VS_NONE, .first = (uint32_t)c->sides.count }))) return false;
-  c->facets.count--; /* the extra facet after the last one stays in memory as a mark of its end */
+  c->facets.count--; /* removes the extra facet after the last one from the count; it stays in memory to mark the end */
   return true;
 }
 
-/* Appends the facets of one leaf, which consist of triangles, as facets that are given by their border edges. Each
- * border edge becomes a line. place: index of the leaf. */
+/* Appends the facets of one leaf to `to`, defined by their border edges instead of triangles. Each border edge becomes
+ * a line. place: index of the leaf in the cluster. */
 static bool add_outlines(levels *l, uint32_t place, vs_outlines *to) {
   vs_cluster *c = l->c;
   vs_kernel *k = l->k;
@@ -171,8 +173,8 @@ static bool make_leaf(levels *l, uint32_t place) {
   return true;
 }
 
-static void level_free(vs_kernel *k, vs_cluster *c) { /* Frees the cluster of a level, except the members that belong to
-                                                       * another cluster. */
+static void level_free(vs_kernel *k, vs_cluster *c) { /* Frees the cluster in which two shells were united, except the
+                                                       * members that belong to the enclosing cluster. */
   vs_points_free(k, &c->points);
   VS_DROP(k, c->facets);
   VS_DROP(k, c->sides);
@@ -211,9 +213,9 @@ static bool append(levels *l, shell *a, const shell *b) {
   return ok;
 }
 
-/* Replaces the last two shells on the stack by their union. There are at least two shells. */
+/* Replaces the last two shells on the stack by their union. The stack has at least two shells. */
 static bool unite_last(levels *l) {
-  enum { SERIAL = 10000 }; /* number of facets in a level below which a single thread is faster */
+  enum { SERIAL = 10000 }; /* number of facets below which a single thread is faster than several */
   vs_kernel *k = l->k;
   const vs_cluster *c = l->c;
   shell *a = &l->shells.at[l->shells.count - 2], *b = &l->shells.at[l->shells.count - 1], made = { .solid = a->solid };
@@ -245,7 +247,8 @@ static bool unite_last(levels *l) {
   return ok;
 }
 
-static uint64_t spread(uint64_t x) { /* moves the 21 bits of x to every third position, for a Morton code */
+static uint64_t spread(uint64_t x) { /* moves the 21 bits of x to every third position, for a Morton code (an order in
+                                      * which points close in space are mostly close) */
   x &= 0x1fffff;
   x = (x | x << 32) & 0x1f00000000ffffu;
   x = (x | x << 16) & 0x1f0000ff0000ffu;
@@ -295,8 +298,8 @@ static bool find_order(levels *l) {
   return ok;
 }
 
-/* Returns the index in `order` that divides the span into halves of about equal weight. The span has at least two
- * leaves. */
+/* Returns the index in `order` that divides the leaves of the span into two halves with about equal numbers of facets.
+ * The span has at least two leaves. */
 static uint32_t middle_of(const levels *l, const span *s) {
   uint64_t half = (l->weight.at[s->first] + l->weight.at[s->end]) / 2;
   uint32_t low = s->first + 1, high = s->end - 1;
@@ -329,7 +332,7 @@ static bool unite_all(levels *l) {
   return true;
 }
 
-/* Collects the facets of the united solid and those of all other leaves, with their border edges. */
+/* Collects the facets of the united solid and the facets of all other leaves, with their border edges. */
 static bool gather(levels *l) {
   vs_cluster *c = l->c;
   vs_kernel *k = l->k;

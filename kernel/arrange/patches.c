@@ -18,10 +18,12 @@ typedef struct {
   const uint32_t *alone;
   VS_LIST(uint32_t) next;   /* next[p]: point that follows p on the facet's border; VS_NONE for all points while no
                              * facet is processed */
-  VS_LIST(uint32_t) border; /* one point of each loop of the facet's border, where a walk along the loop begins */
+  VS_LIST(uint32_t) border; /* for each loop of the facet's border: one point on it, where a walk along the loop
+                             * begins */
 } building;
 
-typedef struct made { /* Patches of a chunk of facets. Indices of corners are relative to the chunk. */
+typedef struct made { /* Patches of the facets that one task handles. Indices of corners count from the first corner of
+                       * the task. */
   VS_LIST(vs_patch) patches;
   VS_LIST(vs_patch_corner) corners;
   VS_LIST(vs_bvh_box) boxes;
@@ -30,8 +32,8 @@ typedef struct made { /* Patches of a chunk of facets. Indices of corners are re
 typedef struct {
   vs_cluster *c;
   made made[VS_PIPELINE_WINDOW];
-  building *works; /* memory of each thread, an array with one element for each */
-  VS_LIST(uint32_t) alone; /* alone[p]: the only facet in plane p, or SEVERAL */
+  building *works; /* array with the working memory of each thread */
+  VS_LIST(uint32_t) alone; /* alone[p]: index of the only facet in plane p, or SEVERAL */
 } patching;
 
 /* Appends the patch whose corners begin at index `first` of the chunk's corners. */
@@ -47,8 +49,8 @@ static bool add_patch(building *b, uint32_t facet, uint32_t first, uint8_t inner
       if (x < box.min[a]) box.min[a] = x;
       if (x > box.max[a]) box.max[a] = x;
     }
-  /* The box is reduced to its visible part only if the facet is the only one in its plane. Facets in one plane must be
-   * cut by each other's borders, even where these borders are hidden. Otherwise two faces could overlap there. */
+  /* Reduces the box of the patch to its visible part, if the facet is the only one in its plane. Otherwise the hidden
+   * part is needed: facets of one plane must be cut by each other's borders, or two faces could overlap. */
   if (c->placed.at[p.place].lids_count && b->alone[p.plane] == facet)
     vs_cull_box(c, p.place, b->to->corners.at + first, p.count, &box);
   return VS_PUSH(b->k, b->to->patches, p) && VS_PUSH(b->k, b->to->boxes, box);
@@ -191,7 +193,7 @@ bool vs_patches_build(vs_kernel *k, vs_cluster *c) {
   }
   c->bvh.families = families;
   ok = ok && vs_bvh_build(k, &c->bvh, c->boxes.at, (uint32_t)c->patches.count);
-  VS_DROP(k, c->boxes); /* the tree of boxes has its own copy of them */
+  VS_DROP(k, c->boxes); /* the tree of boxes has its own copy of these boxes */
   VS_FREE(k, families, family_room);
   for (size_t i = 0; i < room; i++) {
     VS_DROP(k, p.works[i].next);

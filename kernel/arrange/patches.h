@@ -4,8 +4,8 @@
 
 #include "kernel/cluster.h"
 
-bool vs_patches_build(vs_kernel *k, vs_cluster *c);                    /* makes c->patches, their boxes c->boxes, and
-                                                                        * the tree of boxes c->bvh; returns false on an
-                                                                        * error */
+bool vs_patches_build(vs_kernel *k, vs_cluster *c);                    /* makes c->patches, their bounding boxes
+                                                                        * c->boxes, and c->bvh, the tree of these boxes;
+                                                                        * returns false on an error */
 
 #endif

@@ -36,7 +36,8 @@ typedef struct {
   vs_affine *to_frame;          /* to_frame[i]: map of leaf i into the coordinates of the frame */
   size_t to_frame_room;
   VS_LIST(chunk) chunks;        /* ranges of SPAN vertices, each of which one task handles */
-  VS_LIST(border) borders;      /* coordinates along the current axis that are near the middle between two grid lines */
+  VS_LIST(border) borders;      /* border coordinates along the current axis: those near the middle between two grid
+                                 * lines */
   double near[3];               /* near[a]: coordinates along axis a that differ by less than this number of steps are
                                  * rounded to one grid line */
   double steps[3];              /* extent of the cluster along each axis, in steps */
@@ -76,7 +77,7 @@ static bool place_chunk(vs_kernel *k, void *context, size_t index) {
   chunk *to = &s->chunks.at[index];
   uint32_t leaf = 0, beyond = c->leaf_count;
   for (int a = 0; a < 3; a++) to->low[a] = INFINITY, to->high[a] = -INFINITY;
-  while (beyond - leaf > 1) { /* finds by bisection the last leaf whose vertices begin at or before the chunk */
+  while (beyond - leaf > 1) { /* finds, by bisection, the leaf that contains the first vertex of the chunk */
     uint32_t middle = leaf + (beyond - leaf) / 2;
     if (c->placed.at[middle].first <= index * SPAN) leaf = middle;
     else beyond = middle;
@@ -148,8 +149,8 @@ static bool normal_fits(const int32_t a[3], const int32_t b[3], const int32_t c[
   return true;
 }
 
-/* Returns true if the normals of all triangles fit into 63 bits. Only a leaf that spans 2^63 square steps in two axes
- * can have a triangle whose normal does not fit; smaller clusters need no test. */
+/* Returns true if the normals of all triangles fit into 63 bits. Only leaves that span at least 2^63 square steps in
+ * two axes are tested, because the normals of smaller leaves always fit. */
 static bool normals_fit(const vs_cluster *c, const snapping *s) {
   static const double SAFE = 0x1p62;
   if (s->steps[0] * s->steps[1] < SAFE && s->steps[1] * s->steps[2] < SAFE && s->steps[2] * s->steps[0] < SAFE)
@@ -188,7 +189,8 @@ static bool weld(vs_kernel *k, vs_cluster *c, snapping *s) {
     for (int a = 0; a < 3; a++) {
       double scale = c->grid.scale, unit = c->grid.unit;
       c->grid.offset[a] = floor((low[a] + high[a]) / 2 * scale / unit);
-      /* the spacing of doubles grows with the distance `far` from the origin, and with it the tolerance */
+      /* near[a]: distance, in steps, below which coordinates count as equal. It follows from the extent, and from the
+       * spacing of doubles at the distance `far` from the origin. */
       s->near[a] = fmax((high[a] - low[a]) * 0x1p-40, far * 0x1p-50) * scale / unit;
       s->steps[a] = (high[a] - low[a]) * scale / unit;
     }

@@ -1,4 +1,4 @@
-/* Declares the conversion of placed leaves to corners on the grid. */
+/* Declares the function that rounds the vertices of placed leaves to the integer grid of their cluster. */
 #ifndef VS_KERNEL_ARRANGE_SNAP_TO_GRID_H
 #define VS_KERNEL_ARRANGE_SNAP_TO_GRID_H
 

@@ -8,8 +8,8 @@ static bool point_before(const void *context, uint32_t a, uint32_t b) {
   return sign < 0;
 }
 
-/* Sorts points by coordinate u, then by v. Fixed-point numbers decide if they differ in u. Points with equal u are
- * sorted by v: by the fixed-point numbers if all of these are exact, else by exact coordinates. */
+/* Sorts points by coordinate u, and points with equal u by coordinate v. Compares fixed-point numbers where these
+ * decide, and exact coordinates elsewhere. */
 bool vs_sweep_order(vs_kernel *k, vs_sweep *s, uint32_t *points, size_t count, uint32_t *scratch) {
   const vs_point *all = s->points.at;
   s->vertices.count = 0;
@@ -100,9 +100,9 @@ static void insert_between(vs_sweep *s, uint32_t e, uint32_t below, uint32_t abo
   if (below != VS_NONE) n[below].next = e;
   if (above != VS_NONE) n[above].previous = e;
   if (below != VS_NONE && n[below].right == VS_NONE) n[below].right = e, n[e].parent = below;
-  else if (above != VS_NONE) n[above].left = e, n[e].parent = above; /* A new edge lies between two neighbours in order.
-                                                                      * At least one of these has no child on the side
-                                                                      * of the new edge. */
+  else if (above != VS_NONE) n[above].left = e, n[e].parent = above; /* The new edge belongs between two neighbours in
+                                                                      * order. At least one of the neighbours has no
+                                                                      * child on the side towards the new edge. */
   else s->root = e;
   while (n[e].parent != VS_NONE && priority(n[e].parent) < priority(e)) rotate_up(s, e);
 }

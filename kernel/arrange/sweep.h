@@ -19,7 +19,7 @@ typedef struct {
   int u, v;
   VS_LIST(uint32_t) vertices; /* vertices[i]: the cluster's point number of vertex i of the sweep */
   VS_LIST(vs_sweep_edge) edges;
-  /* The members below are set by vs_sweep_begin. */
+  /* vs_sweep_begin sets all members from here on; the caller sets the members above. */
   VS_LIST(uint32_t) first;    /* first[v]: index in `rights` of the first edge that leads from vertex v to the right */
   VS_LIST(uint32_t) rights;   /* edges grouped by their left end; the edges of one vertex are in order from the lowest
                                * to the highest */
@@ -27,7 +27,7 @@ typedef struct {
   VS_LIST(vs_sweep_node) nodes; /* nodes[e]: node of edge e in the tree of edges under the sweep line */
   VS_LIST(uint32_t) lefts;    /* edges that end at the current vertex, from the lowest to the highest */
   uint32_t root, at;
-  VS_LIST(vs_keyed) keyed;    /* memory for sorting, with twice as many elements as vertices */
+  VS_LIST(vs_keyed) keyed;    /* working memory of the sort, with twice as many elements as the sweep has vertices */
 } vs_sweep;
 
 typedef struct {

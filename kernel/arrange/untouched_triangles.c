@@ -34,11 +34,11 @@ typedef struct {
   uint32_t place, first, end;   /* place: index of the leaf in the cluster; first, end: range of the leaf's triangles
                                  * that one task handles */
   uint32_t blocks;              /* number of blocks of triangles in all spans before this one */
-  VS_LIST(vs_use) rim;          /* boundary edges of the regions; the member `face` of each is the index of its
-                                 * region */
+  VS_LIST(vs_use) rim;          /* boundary edges of the regions of untouched triangles; the member `face` of an edge is
+                                 * the index of its region */
 } span;
-/* Up to 16 connected triangles of a mesh. hub: a corner that all of them have, and around which they share only edges;
- * UINT32_MAX: there is no such corner. */
+/* Up to 16 connected triangles of a mesh. hub: index of a corner that all of them have, if they share only edges around
+ * it; UINT32_MAX if there is no such corner. */
 typedef struct { uint32_t place, first, hub; vs_pack packs[PACKS]; } block;
 
 typedef struct {
@@ -49,9 +49,10 @@ typedef struct {
   VS_LIST(block) blocks;
   VS_LIST(vs_bvh_box) boxes;        /* boxes[i]: bounding box of block i of triangles */
   vs_bvh bvh;
-  VS_LIST(_Atomic uint8_t) fans; /* fans[v]: for vertex v: 1: its triangles form a single simple fan; 2 or more: they do
-                                  * not; PROVEN: the vertex has very many triangles, whose fan was proven simple */
-  VS_LIST(vs_hubs) hubs;         /* hubs[i]: corners of leaf i at which very many triangles end, on the grid */
+  VS_LIST(_Atomic uint8_t) fans; /* fans[v]: state of vertex v. 1: its triangles form a single fan that goes around
+                                  * once; 2 or more: they do not; PROVEN: the vertex has very many triangles, and the
+                                  * search for hubs has proven them to be such a fan. */
+  VS_LIST(vs_hubs) hubs;         /* hubs[i]: corners of leaf i, on the grid, at which very many triangles end */
   VS_LIST(_Atomic uint32_t) sets;
 } plain;
 
@@ -77,8 +78,9 @@ static void set_fate(vs_cluster *c, uint32_t place, uint32_t t, uint8_t fate) {
   VS_ASSERT(fate <= VS_PLAIN);
   atomic_store_explicit(&c->fate.at[c->placed.at[place].first_triangle + t], fate, memory_order_relaxed);
 }
-static void arrange(vs_cluster *c, uint32_t place, uint32_t t) { /* Marks triangle t as not untouched. Several threads
-                                                                  * may call this for one triangle. */
+static void arrange(vs_cluster *c, uint32_t place, uint32_t t) { /* Marks triangle t as one that the kernel must cut
+                                                                  * against others. Several threads may do this for one
+                                                                  * triangle. */
   if (fate_of(c, place, t) == VS_PLAIN) set_fate(c, place, t, VS_ARRANGED);
 }
 
@@ -86,8 +88,8 @@ static uint32_t next_of(uint32_t corner) { return corner % 3 == 2 ? corner - 2 :
 
 /* ---- culled triangles ---- */
 
-/* Computes the masks (sets of convex leaves that hide a vertex) of a range of a leaf's vertices. The vertices are
- * divided among the leaf's ranges of triangles (spans). */
+/* For a range of a leaf's vertices, computes the masks: the set of convex leaves that hide each vertex. The task's
+ * index selects the range. */
 static bool mask_span(vs_kernel *k, void *context, size_t index) {
   plain *p = context;
   const span *s = &p->spans.at[index];
@@ -122,8 +124,8 @@ static uint32_t hub_of(const plain *p, uint32_t place, uint32_t t) {
   return h->of.count ? h->of.at[t] : UINT32_MAX;
 }
 
-/* Finds the next block of triangles: all have one hub (a corner with very many triangles), or none has a hub. Returns
- * false at the end of the span. */
+/* Finds the next block of triangles, from *first to *end - 1. Either all have one hub (a corner with very many
+ * triangles), or none has a hub. Returns false at the end of the span. */
 static bool next_block(const plain *p, const span *s, uint32_t *first, uint32_t *end) {
   const vs_cluster *c = p->c;
   const uint32_t (*v)[3] = (const uint32_t (*)[3])mesh_at(c, s->place)->triangles;
@@ -223,7 +225,8 @@ static bool meet_blocks(void *context, uint32_t first, uint32_t second) {
   return true;
 }
 
-enum { CHUNK = 256 }; /* number of blocks of the tree of boxes whose pairs one task tests */
+enum { CHUNK = 256 }; /* The pairs are searched in blocks of the tree of boxes. This is the number of blocks of one
+                       * task. */
 
 static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
   searcher s = { context, k };
@@ -249,8 +252,8 @@ static bool meet_within(vs_kernel *k, void *context, size_t index) { /* tests th
 }
 
 static bool index_blocks(vs_kernel *k, plain *p, bool *few) {
-  enum { WORTH = 4 }; /* least average number of triangles in a block for which the search for untouched triangles saves
-                       * time */
+  enum { WORTH = 4 }; /* least average number of triangles in a block; if blocks are smaller, the search for untouched
+                       * triangles takes longer than it saves */
   vs_cluster *c = p->c;
   uint32_t sum = 0, *families = NULL;
   size_t room = 0;
@@ -284,7 +287,8 @@ static bool index_blocks(vs_kernel *k, plain *p, bool *few) {
 
 /* ---- neighbouring triangles ---- */
 
-/* The normal of a triangle, and the errors of its components. They are 0 if all products fit into 53 bits. */
+/* The normal of a triangle, and upper bounds for the errors of its components. The bounds are 0 if all products fit
+ * into 53 bits. */
 typedef struct { double n[3], error[3]; } normal;
 static void normal_of(const vs_cluster *c, uint32_t place, uint32_t t, normal *to) {
   const uint32_t *v = triangle_at(c, place, t);
@@ -299,8 +303,8 @@ static void normal_of(const vs_cluster *c, uint32_t place, uint32_t t, normal *t
   }
 }
 
-/* returns true if vertex `off` is farther from the plane than rounding errors explain; m: normal of the plane; on: a
- * vertex in the plane */
+/* returns true if the distance of vertex `off` from a plane is greater than rounding errors explain; m: normal of this
+ * plane; on: number of a vertex in the plane */
 static bool surely_bent(const vs_cluster *c, uint32_t place, const normal *m, uint32_t on, uint32_t off) {
   const int32_t *p = corner_at(c, place, on), *q = corner_at(c, place, off);
   double sum = 0, error = 0;
@@ -312,8 +316,8 @@ static bool surely_bent(const vs_cluster *c, uint32_t place, const normal *m, ui
   return fabs(sum) > error;
 }
 
-/* Marks triangles as touched, unless each of their edges has exactly one neighbour in the mesh, which is not
- * coplanar. */
+/* For each triangle, tests the neighbours across its three edges. Marks the triangle as touched unless each edge has
+ * exactly one neighbour in the mesh, and none of the neighbours is coplanar with it. */
 static bool look_across(vs_kernel *k, void *context, size_t index) {
   plain *p = context;
   vs_cluster *c = p->c;
@@ -345,9 +349,9 @@ static bool look_across(vs_kernel *k, void *context, size_t index) {
 
 static bool lower(double x, double y) { return y < 0 || (y <= 0 && x < 0); }
 
-/* Tests whether the triangles around a corner's vertex go around it once as seen along some axis. They then share only
- * their common corners and edges. corner: index of the corner in the leaf's mesh. The test is done only for the first
- * corner at each vertex. */
+/* Tests whether the triangles around a vertex, seen along some axis, go around it once. They then share only their
+ * common corners and edges. corner: index of a corner in the leaf's mesh. Only the first corner at each vertex is
+ * tested. */
 static void look_around(plain *p, uint32_t place, uint32_t corner) {
   enum { MOST = 64 };
   const vs_cluster *c = p->c;
@@ -384,7 +388,7 @@ static void look_around(plain *p, uint32_t place, uint32_t corner) {
     falls += lower((double)q[x] - o[x], (double)q[y] - o[y]) && !lower((double)r[x] - o[x], (double)r[y] - o[y]);
   }
   uint8_t had = atomic_fetch_or_explicit(fan, good && falls == 1 ? 1 : 2, memory_order_relaxed);
-  if (had) atomic_fetch_or_explicit(fan, 2, memory_order_relaxed); /* an earlier fan exists at this vertex: two fans of
+  if (had) atomic_fetch_or_explicit(fan, 2, memory_order_relaxed); /* a fan was found at this vertex before: two fans of
                                                                     * triangles touch there */
 }
 
@@ -544,8 +548,8 @@ static bool join_span(vs_kernel *k, void *context, size_t index) {
   return vs_kernel_report(k, k->part);
 }
 
-/* Numbers the regions of untouched triangles in the order of their first triangles. Chooses one large triangle of each
- * region, among its first ones. */
+/* Numbers the regions of untouched triangles in the order of their first triangles. For each region, also chooses the
+ * largest of its first LOOKED_AT triangles, through which a ray is sent later. */
 static bool name_regions(vs_kernel *k, plain *p) {
   enum { LOOKED_AT = 256 };
   vs_cluster *c = p->c;
@@ -605,7 +609,8 @@ static bool find_rim(vs_kernel *k, void *context, size_t index) {
 static bool add_faces(vs_kernel *k, plain *p) {
   vs_cluster *c = p->c;
   size_t regions = c->regions.count, uses = c->uses.count, faces = c->faces.count;
-  VS_LIST(uint32_t) at = { 0 }; /* at[r]: first the start of region r's boundary edges, later their end */
+  VS_LIST(uint32_t) at = { 0 }; /* at[r]: index of the first boundary edge of region r; while edges are copied, it
+                                 * increases to the index after the last */
   size_t sum = 0;
   for (size_t i = 0; i < p->spans.count; i++) sum += p->spans.at[i].rim.count;
   if (uses + sum >= UINT32_MAX || faces + regions >= UINT32_MAX / 2)
@@ -672,7 +677,7 @@ typedef struct {
   vs_cluster *c;
   vs_mesh *out;
   VS_LIST(uint32_t) vertices; /* indices in the cluster's `corners` of the vertices that are new in the result */
-  size_t first_vertex;        /* number in the result of the first of the new vertices */
+  size_t first_vertex;        /* number, in the result, of the first vertex that this function appends */
 } copying;
 
 enum { PLACES = 1 << 14 };
