@@ -5,8 +5,10 @@
 
 #include "kernel/threads.h"
 
-enum { SERIAL = 10000 /* number of triangles below which a single thread copies all */, CHUNK = 16 /* number of placements that one task
-                                                                                 * copies */ };
+enum {
+  SERIAL = 10000, /* number of triangles below which a single thread copies all */
+  CHUNK = 16      /* number of placements that one task copies */
+};
 
 bool vs_placing_room(vs_kernel *k, vs_mesh *out, size_t vertices, size_t triangles) {
   size_t limit = k->options ? k->options->max_triangles : 0, more_vertices = out->vertex_count + vertices,

@@ -36,8 +36,10 @@ static bool join(void *parent, uint32_t a, uint32_t b) {
 static double least(const vs_bounds *b, int axis) { return axis == 0 ? b->min.x : axis == 1 ? b->min.y : b->min.z; }
 static double most(const vs_bounds *b, int axis) { return axis == 0 ? b->max.x : axis == 1 ? b->max.y : b->max.z; }
 
-enum { SERIAL = 10000 /* number of corners below which a single thread does all the work */, LEAVES = 16 /* number of leaves that one task
-                                                                                * handles */ };
+enum {
+  SERIAL = 10000, /* number of corners below which a single thread does all the work */
+  LEAVES = 16     /* number of leaves that one task handles */
+};
 
 typedef struct { const vs_kernel_problem *problem; vs_bounds *bounds; } bounding;
 
