@@ -10,8 +10,9 @@
 #include "kernel/kernel_options.h"
 #include "kernel/problem.h"
 
-/* Evaluates the problem. Stores each distinct mesh of the result once, with the placements of its copies. Copies do not
- * intersect each other. out need not be initialised. Returns false and sets the error on failure; out is then empty. */
+/* Evaluates the problem. Stores in out each distinct mesh of the result once, and the placements of its copies. Copies
+ * do not intersect each other. out need not be initialised. Returns false and sets the error on failure; out is then
+ * empty. */
 bool vs_kernel_evaluate_copies(const vs_kernel_problem *problem, const vs_kernel_options *options,
                                vs_kernel_copies *out, vs_kernel_error *error);
 void vs_kernel_copies_free(vs_kernel_copies *c);

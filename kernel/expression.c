@@ -9,12 +9,12 @@ typedef struct {
                              * subtracts it, else 2 * user */
   VS_LIST(uint32_t) stack;  /* stack of operands still to be examined: 2 * term + 1 if the term is subtracted, else 2 *
                              * term */
-  VS_LIST(uint8_t) live;    /* live[t]: 1 if term t is reachable from the root and was not merged into the term that has
-                             * it as operand */
+  VS_LIST(uint8_t) live;    /* live[t]: 1 if operands lead from the root to term t, and t was not merged into the term
+                             * that has it as an operand */
 } building;
 
-/* Returns true if the term `inner` can be merged into the term that has it as operand: that term, of kind `outer`, then
- * gets the operands of `inner` instead. off: true if it subtracts `inner`. */
+/* Returns true if the term `inner` can be merged into a term of kind `outer` that has it as an operand: that term then
+ * gets the operands of `inner` instead. off: true if that term subtracts `inner`. */
 static bool absorbed(const vs_kernel_problem *p, const building *b, vs_term_kind outer, bool off, uint32_t inner) {
   vs_term_kind kind = p->terms[inner].kind;
   if (b->uses.at[inner] != 1) return false;
@@ -37,7 +37,9 @@ static bool collect(vs_kernel *k, const vs_kernel_problem *p, building *b, vs_ex
         if (!VS_PUSH(k, b->stack, p->operands[s->first + i] * 2 + (off || (s->kind == VS_TERM_DIFFERENCE && i > 0))))
           return false;
       if (s->kind == VS_TERM_INTERSECTION && s->count == 0) e->need.at[user] = UINT32_MAX; /* an intersection without
-                                                                                            * operands is never true */
+                                                                                            * operands is the empty
+                                                                                            * solid, so it is never
+                                                                                            * true */
       continue;
     }
     b->live.at[inner] = 1;
@@ -47,9 +49,9 @@ static bool collect(vs_kernel *k, const vs_kernel_problem *p, building *b, vs_ex
   return true;
 }
 
-/* Finds the leaves and terms that determine the result on their own. These are operands of a union at the root, when
- * they are true, and operands of an intersection at the root, when they are false. Operands of such operands count,
- * too. A leaf that is the only term is not included. */
+/* Finds the leaves and terms that determine the result on their own. In a union at the root, these are the operands:
+ * any true one makes the result true. In an intersection at the root, any false operand makes the result false.
+ * Operands of such operands count, too. A leaf that is the only term is not included. */
 static bool find_forces(vs_kernel *k, vs_expression *e, const vs_kernel_problem *p, const uint8_t *live) {
   enum { IF_TRUE = 1, IF_FALSE = 2 };
   VS_LIST(uint8_t) flag = { 0 };
@@ -118,7 +120,7 @@ bool vs_expression_build(vs_kernel *k, vs_expression *e, const vs_kernel_problem
       if (b.live.at[i] && p->terms[i].kind != VS_TERM_LEAF) ok = collect(k, p, &b, e, i);
     ok = ok && find_forces(k, e, p, b.live.at);
   }
-  /* Sorts the pairs of operand and user by operand, and the terms of leaves by leaf. */
+  /* Sorts the pairs (operand, term that uses it) by operand, and the terms of leaves by leaf. */
   if (ok && VS_ROOM(k, e->users.at, e->users.room, b.pairs.count / 2 + 1)) {
     for (size_t i = 0; i < b.pairs.count; i += 2) e->user_first.at[b.pairs.at[i] + 1]++;
     for (uint32_t i = 0; i < n; i++) e->user_first.at[i + 1] += e->user_first.at[i];
@@ -135,9 +137,9 @@ bool vs_expression_build(vs_kernel *k, vs_expression *e, const vs_kernel_problem
         e->leaf_terms.at[--e->leaf_first.at[p->terms[i].first + 1]] = i;
     for (uint32_t i = 0; i < p->leaf_count; i++) e->leaf_first.at[i] = e->leaf_first.at[i + 1];
     e->leaf_first.at[p->leaf_count] = live;
-    for (uint32_t i = n; i-- > 0;) { /* uses[i] becomes 1 if term i is subtracted an odd number of times on the way to
-                                      * the root. The way leads to the first user of each term. The loop reaches users
-                                      * before their operands. */
+    for (uint32_t i = n; i-- > 0;) { /* uses[i] becomes 1 if term i is subtracted an odd number of times between it and
+                                      * the root. If several terms use a term, only the first of them is followed. The
+                                      * loop reaches users before their operands. */
       uint32_t first = e->user_first.at[i];
       b.uses.at[i] = first < e->user_first.at[i + 1] ? b.uses.at[e->users.at[first] / 2] ^ (e->users.at[first] & 1) : 0;
       if (p->terms[i].kind == VS_TERM_LEAF) e->taken_off.at[p->terms[i].first] = (uint8_t)b.uses.at[i];
@@ -166,7 +168,7 @@ bool vs_expression_value(const vs_expression *e) { return e->kind.at && value(e,
 
 bool vs_expression_upholds(vs_kernel *k, vs_expression *e, uint32_t leaf, bool *answer) {
   /* Limit on the number of visited terms, because very many paths may lead from the leaf to the root. If the limit is
-   * reached, the answer may be wrong, which only selects another material. */
+   * reached, the answer may be wrong; the only effect is that a face gets another material. */
   enum { STEPS = 256 };
   VS_ASSERT(e->winding.at[leaf] > 0);
   *answer = false;
@@ -244,8 +246,8 @@ bool vs_expression_add(vs_kernel *k, vs_expression *e, uint32_t leaf, int32_t de
     e->positive.at[t] = now;
     if (!VS_PUSH(k, e->stack, t * 2 + now)) return false;
   }
-  while (e->stack.count) { /* The stack contains terms whose value has changed, but whose users have not been evaluated
-                            * again. A value may change several times. */
+  while (e->stack.count) { /* The stack contains terms whose value has changed, and for which the terms that use them
+                            * have not been evaluated again. The value of a term may change several times. */
     uint32_t t = e->stack.at[--e->stack.count] / 2;
     bool up = e->stack.at[e->stack.count] & 1;
     for (uint32_t i = e->user_first.at[t]; i < e->user_first.at[t + 1]; i++) {

@@ -11,18 +11,21 @@
 #include "model/node.h"
 
 typedef struct {
-  size_t clusters;   /* number of groups of solids that touch: the sum of `combined`, `copied` and `remembered` */
+  size_t clusters;   /* number of clusters (groups of solids that touch): the sum of `combined`, `copied` and
+                      * `remembered` */
   size_t combined;   /* number of clusters that the kernel evaluated */
-  size_t copied;     /* number of clusters that the kernel copied from an equal cluster of the problem */
+  size_t copied;     /* number of clusters for which the kernel copied the result of an equal cluster of the same
+                      * problem */
   size_t remembered; /* number of clusters that the kernel found in the cache */
   size_t peak;       /* greatest number of bytes that the kernel had allocated at one time */
   size_t coarse;     /* Number of leaves whose volume the grid has changed by more than a hundredth, because they are
-                      * too small for its steps. coarse_leaf, coarse_step and coarse_by describe the first such leaf. */
+                      * only some grid steps wide. coarse_leaf, coarse_step and coarse_by describe the first such
+                      * leaf. */
   uint32_t coarse_leaf; /* number of the first leaf whose volume the grid has changed by more than a hundredth */
   double coarse_step, coarse_by; /* coarse_step: width of a grid step at leaf coarse_leaf; coarse_by: change of the
                                   * leaf's volume, as a fraction of its exact volume */
-  size_t straightened; /* number of corners (bends) that were removed from cuts in the result (see the option `straight`
-                        * of vs_kernel_options) */
+  size_t straightened; /* number of bends that the option `straight` of vs_kernel_options has removed: corners in a cut
+                        * through a planar facet that the grid has split */
   double seconds[VS_STEP_COUNT]; /* seconds[s]: time that step s of the kernel took */
 } vs_kernel_counts;
 
@@ -37,13 +40,13 @@ typedef struct {
                          * times as many triangles and pieces of triangles. */
   vs_cache *cache;      /* cache of evaluated clusters (model/store/cache.h); NULL: nothing is cached */
   bool warns;           /* true if vs_solid_evaluate may report faults that do not stop the kernel */
-  vs_kernel_counts *counts; /* Counts to which the kernel adds its counts; NULL: no counts. The member `peak` becomes
-                             * the greater of the two values. */
+  vs_kernel_counts *counts; /* The kernel adds its counts to these; NULL: it counts nothing. The member `peak` becomes
+                             * the greater of its old value and this call's. */
   bool in_levels;       /* for tests: true if the solids of every cluster are united two by two (arrange/levels.c) where
                          * possible */
-  bool straight;        /* True if the kernel may straighten cuts through a planar facet that its grid has split into
-                         * several planes, so that they bend. The caller must then search the result for contacts
-                         * (round/rounding.h). If there are contacts, it must evaluate again with straight == false. */
+  bool straight;        /* True if the kernel may straighten cuts through a planar facet: the grid splits such a facet
+                         * into several planes, so the cuts bend. The caller must then search the result for contacts
+                         * (round/rounding.h). If there are any, it must evaluate again with straight == false. */
   uint32_t threads;     /* Number of threads; 0: one for each processor. The result does not depend on it. Only the
                          * caller's thread calls vs_job_done. */
 } vs_kernel_options;
@@ -60,9 +63,9 @@ typedef enum {
 } vs_kernel_status;
 typedef struct {
   vs_kernel_status status;
-  uint32_t leaf;        /* number of the faulty leaf for OPEN, INSIDE_OUT and NOT_FINITE; for INTERNAL: a leaf of the
-                         * cluster whose evaluation failed */
-  char message[200];    /* message in English; it does not name the place of the fault */
+  uint32_t leaf;        /* number of the faulty leaf for the statuses OPEN, INSIDE_OUT and NOT_FINITE; for the status
+                         * INTERNAL: a leaf of the cluster whose evaluation failed */
+  char message[200];    /* message in English, without the place of the fault in the user's file */
 } vs_kernel_error;
 
 #endif

@@ -7,7 +7,7 @@
 #include <string.h>
 
 bool vs_kernel_fail(vs_kernel *k, vs_kernel_status status, uint32_t leaf, const char *format, ...) {
-  if (k->error->status != VS_KERNEL_FINE) return false; /* an earlier error is kept, because later ones may be its
+  if (k->error->status != VS_KERNEL_FINE) return false; /* keeps an earlier error, because later errors may be its
                                                          * consequences */
   k->error->status = status;
   k->error->leaf = leaf;
@@ -41,12 +41,13 @@ bool vs_kernel_grow(vs_kernel *k, void *slot, size_t *room, size_t need, size_t 
                           "combining the solids needs more than the %zu MB that the limit on memory leaves",
                           k->options->max_bytes >> 20);
   void *old, *grown;
-  memcpy(&old, slot, sizeof old); /* slot is the address of a pointer of any type, so memcpy reads the pointer */
+  memcpy(&old, slot, sizeof old); /* slot is the address of a pointer whose type is unknown here, so memcpy reads the
+                                   * pointer */
   grown = realloc(old, more * size);
   if (!grown) return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
   memcpy(slot, &grown, sizeof grown);
-  size_t now = atomic_fetch_add(bytes, added) + added; /* now: allocated bytes after this call; it may lack bytes that
-                                                        * two threads add at the same time */
+  size_t now = atomic_fetch_add(bytes, added) + added; /* number of allocated bytes after this call, without those that
+                                                        * another thread adds at the same time */
   _Atomic size_t *peak = k->owner ? &k->owner->peak : &k->peak;
   if (now > *peak) *peak = now;
   *room = more;

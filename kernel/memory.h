@@ -15,14 +15,14 @@ typedef struct vs_kernel {
   struct vs_kernel *owner; /* in another thread: the context of the caller's thread, whose `bytes` and `stop` all
                             * threads use; in the caller's thread: NULL */
   uint32_t worker;         /* number of the thread; 0 is the caller's thread */
-  uint32_t threads;        /* number of threads that may work at one time, including the caller's */
+  uint32_t threads;        /* number of threads that may work at one time, including the caller's thread */
   _Atomic size_t bytes;    /* number of bytes that are allocated for arrays */
   _Atomic size_t peak;     /* largest value of `bytes` so far */
   _Atomic bool stop;       /* true if a thread has failed or the caller has interrupted the kernel; all threads then
                             * return */
   uint32_t ticks;          /* number of polls since the kernel last called vs_job_done */
-  double done, share;      /* done: fraction of all work that was finished before this cluster; share: fraction of all
-                            * work that this cluster takes; 0 to 1 */
+  double done, share;      /* done: fraction of all work that was finished before the current cluster; share: the
+                            * current cluster's fraction of all work; both 0 to 1 */
   double part;             /* fraction of the current cluster's work that is finished, as last reported, 0 to 1 */
   double *laps, since;     /* laps: array of the seconds of each step, indexed by vs_step; NULL: no time is measured.
                             * since: time in seconds when the current step began */
@@ -60,13 +60,13 @@ static inline bool vs_kernel_poll(vs_kernel *k, double part) {
   return (++k->ticks & 1023) != 0 || vs_kernel_report(k, part);
 }
 
-/* Declares a function that only prefetches memory. always_inline is needed: gcc removes the calls of such a function if
- * it is not inlined early, because it has no effect. */
+/* Declares a function that only prefetches memory. gcc must inline it early: it removes calls of a function without
+ * effect. */
 #define VS_AHEAD static inline __attribute__((always_inline)) void
 
-/* vs_kernel_run calls task(k, context, 0) to task(k, context, count - 1) in any order, several at a time if there
- * are threads. k is the context of the thread that runs the task. If a task returns false, the remaining tasks are
- * not run. */
+/* vs_kernel_run calls task(k, context, 0) to task(k, context, count - 1) in any order, several at a time in several
+ * threads. k is the context of the thread that runs the task. If a task returns false, the remaining tasks are not
+ * run. */
 typedef bool vs_task_fn(vs_kernel *k, void *context, size_t index);
 /* vs_kernel_pipeline runs tasks as vs_kernel_run does, and calls taker(k, context, i) for every i in increasing order.
  * The taker runs in the caller's thread, after task i and while later tasks run. At most VS_PIPELINE_WINDOW results
@@ -74,8 +74,8 @@ typedef bool vs_task_fn(vs_kernel *k, void *context, size_t index);
  * taker changes. */
 enum { VS_PIPELINE_WINDOW = 64 };
 
-/* Sorts an array of numbers by the strict order `less`. The sort is stable (a merge sort). scratch: an array of as many
- * elements. */
+/* Sorts an array of numbers by the strict order `less`. The sort is stable (a merge sort). scratch: an array with as
+ * many elements as the sorted array. */
 typedef bool vs_less_fn(const void *context, uint32_t a, uint32_t b);
 void vs_kernel_sort(uint32_t *at, uint32_t *scratch, size_t count, vs_less_fn *less, const void *context);
 

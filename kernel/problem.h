@@ -12,8 +12,8 @@ typedef struct {
   vs_affine placement;
   uint32_t tag;         /* tag that the leaf's triangles get in the result; the kernel merges coplanar faces whose tags
                          * or paints are equal */
-  bool bare;            /* if true, the faces that this leaf cuts into another solid get the tag of that solid, not of
-                         * this leaf */
+  bool bare;            /* if true, faces that this leaf cuts into another solid get the tag of that solid instead of
+                         * this leaf's tag */
 } vs_kernel_leaf;
 
 typedef enum {
@@ -24,8 +24,8 @@ typedef enum {
 } vs_term_kind;
 typedef struct {
   vs_term_kind kind;
-  uint32_t first;       /* for VS_TERM_LEAF: number of the leaf; for other kinds: index in `operands` of the first
-                         * operand */
+  uint32_t first;       /* for VS_TERM_LEAF: number of the leaf; for other kinds of terms: index, in the problem's
+                         * `operands`, of the first operand */
   uint32_t count;       /* Number of operands. Each operand is the number of an earlier term. A term without operands is
                          * the empty solid. */
 } vs_kernel_term;
@@ -35,13 +35,13 @@ typedef struct {
   const vs_kernel_term *terms;
   const uint32_t *operands;
   uint32_t leaf_count, term_count, operand_count;
-  const uint32_t *paints; /* paints[i]: paint of tag i; NULL: the tags are the paints. A face that was merged from
-                           * several tags gets one of them. */
-  const uint64_t *identities; /* identities[i]: serial number of leaf i's mesh. Meshes with equal numbers are equal, in
-                               * all problems. 0: unknown. NULL: all are unknown. */
-  const vs_bounds *within;  /* within[i]: bounds within which leaf i can influence the result. The kernel combines it
-                             * with other leaves only in these bounds. The mesh of an endless solid extends beyond them.
-                             * NULL: no bounds. */
+  const uint32_t *paints; /* paints[i]: number of the paint of tag i; NULL: each tag is its own paint. A face that was
+                           * merged from faces with several tags gets one of these tags. */
+  const uint64_t *identities; /* identities[i]: serial number of leaf i's mesh, or 0 if unknown. Meshes with equal
+                               * serial numbers are equal, even in different problems. NULL: all are unknown. */
+  const vs_bounds *within;  /* within[i]: bounds within which leaf i can influence the result. The kernel combines the
+                             * leaf with others only in these bounds, beyond which the mesh of an endless solid extends.
+                             * NULL: there are no bounds. */
 } vs_kernel_problem;
 
 /* A copy of a mesh in a result: the index of the mesh, and its placement. Clusters that are copies of each other share

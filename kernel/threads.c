@@ -22,8 +22,8 @@ typedef struct {
   vs_kernel *k;
   vs_task_fn *task;
   void *context;
-  size_t count, window;   /* count: number of tasks; window: number of complete results that may wait for `taker`; 0:
-                           * there is no taker */
+  size_t count, window;   /* count: number of tasks; window: number of complete results that may wait for the function
+                           * `taker`; 0: there is no such function */
   _Atomic size_t next, taken;
   _Atomic bool *ready;    /* ready[i % window]: true if task i is complete and `taker` has not read its result */
   pthread_mutex_t lock;   /* protects `running`, `failed` and `error` */
@@ -91,7 +91,7 @@ static void wait_a_while(crew *c) {
   pthread_mutex_lock(&c->lock);
 }
 
-/* Calls `taker` for the results of all tasks in order. Runs tasks in this thread while the next result is not ready.
+/* Calls `taker` for the results of all tasks in order. While the next result is not ready, runs tasks in this thread.
  * c->window must not be 0. */
 static void take(crew *c, vs_task_fn *taker) {
   vs_kernel *k = c->k;
@@ -99,8 +99,9 @@ static void take(crew *c, vs_task_fn *taker) {
   for (size_t at = 0; at < c->count && !atomic_load(&k->stop);) {
     if (atomic_load(&c->ready[at % c->window])) {
       atomic_store(&c->ready[at % c->window], false);
-      if (!taker(k, c->context, at) || !vs_kernel_report(k, k->part)) { /* only the caller's thread calls its job, and
-                                                                         * so detects an interrupt */
+      if (!taker(k, c->context, at) || !vs_kernel_report(k, k->part)) { /* Only the caller's thread can detect an
+                                                                         * interrupt, because it alone calls
+                                                                         * vs_job_done. */
         stop(c);
         return;
       }

@@ -4,8 +4,8 @@
 
 #include "kernel/memory.h"
 
-/* vs_kernel_time starts the clock for the first step; NULL: no time is measured. vs_kernel_lap ends a step and adds its
- * seconds to laps[step]. It always returns true, so that it can be an operand of &&. */
+/* vs_kernel_time starts the clock for the first step; if laps is NULL, no time is measured. vs_kernel_lap ends a step
+ * and adds its seconds to laps[step]. It always returns true, so that it can be an operand of &&. */
 void vs_kernel_time(vs_kernel *k, double laps[VS_STEP_COUNT]);
 /* `step` must be a row of steps.def. */
 bool vs_kernel_lap(vs_kernel *k, vs_step step);

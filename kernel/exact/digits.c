@@ -52,17 +52,16 @@ bool vs_digits(double size, uint64_t *digits, int *first) {
   int exponent = (int)(bits >> 52) - 1075;
   uint64_t mantissa = (bits & ((UINT64_C(1) << 52) - 1)) | UINT64_C(1) << 52;
   int power = ((exponent + 52) * 315653) >>
-              20; /* floor of log10 of the greatest power of two that is at most x; this is floor(log10 x) or one
-                   * less */
+              20; /* floor of log10(2^e), where 2^e is the greatest power of two that is at most x; it is floor(log10 x)
+                   * or one less */
   for (int tries = 0; tries < 2; tries++, power++) {
     int d = VS_DIGITS - 1 - power;
-    if (d < 0 || d > MOST_FIVES) return false; /* the table has no power of five for this exponent; the test also
-                                                * excludes subnormal numbers */
+    if (d < 0 || d > MOST_FIVES) return false; /* the table has no power of five for this exponent, or x is subnormal */
     __extension__ unsigned __int128 product = (unsigned __int128)mantissa * five[d], one = 1;
     int shift = -(exponent + d);
     uint64_t k;
     if (shift <= 0) {
-      k = (uint64_t)product << -shift; /* the scaled number is at most 10^13, so it fits */
+      k = (uint64_t)product << -shift; /* the scaled number is at most 10^13, so it fits into 64 bits */
     } else {
       k = (uint64_t)(product >> shift);
       __extension__ unsigned __int128 rest = product & ((one << shift) - 1), half = one << (shift - 1);

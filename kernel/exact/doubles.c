@@ -15,7 +15,7 @@
 
 typedef struct {
   double high, low;
-} pair; /* two doubles whose exact sum is a difference of coordinates */
+} pair; /* two doubles whose exact sum is the difference of two coordinates */
 
 static inline pair two_sum(double a, double b) {
   double sum = a + b, virtual_b = sum - a, virtual_a = sum - virtual_b;
@@ -67,7 +67,8 @@ static int scale(const double *e, int e_count, double b, double *to) {
   return count;
 }
 
-/* Computes the expansion to = e * d and returns its number of terms. e has 1 to 16 terms. */
+/* Computes the expansion to = e * d, where d is the sum of two doubles, and returns its number of terms. e has 1 to 16
+ * terms. */
 static int multiply(const double *e, int e_count, pair d, double *to) {
   enum { MOST = 16 };
   double low[2 * MOST], high[2 * MOST];
@@ -88,8 +89,8 @@ static double coordinate(vs_vec3 p, int axis) { return axis == 0 ? p.x : axis ==
 
 static int sign(double x) { return (x > 0) - (x < 0); }
 
-/* Returns the power of two that scales the largest of `count` sizes to about one. Returns 1 if all are zero, or the
- * largest is already of about that size. */
+/* Returns the power of two that scales the largest of `count` sizes to about one. Returns 1 if all sizes are zero, or
+ * the largest is already of about that size. */
 static double to_one(const double *size, int count) {
   double most = 0;
   int exponent;

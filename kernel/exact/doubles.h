@@ -1,4 +1,5 @@
-/* Declares exact signs of determinants of doubles, for meshes that are not on a grid. */
+/* Declares functions that compute exact signs of determinants of doubles, for meshes whose vertices are not on a
+ * grid. */
 #ifndef VS_KERNEL_EXACT_DOUBLES_H
 #define VS_KERNEL_EXACT_DOUBLES_H
 

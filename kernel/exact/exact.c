@@ -69,7 +69,7 @@ static uint64_t gcd64(uint64_t a, uint64_t b) {
   if (!a || !b) return a | b;
   int shift = __builtin_ctzll(a | b);
   a >>= __builtin_ctzll(a);
-  while (b) { /* The comparison causes no branch, which the processor could not predict. */
+  while (b) { /* The comparison in this loop causes no branch, because the processor could not predict it. */
     b >>= __builtin_ctzll(b);
     uint64_t less = a < b ? a : b, more = a < b ? b : a;
     a = less;
@@ -111,8 +111,8 @@ bool vs_plane_through(const int32_t a[3], const int32_t b[3], const int32_t c[3]
       int u = (i + 1) % 3, v = (i + 2) % 3;
       vs_i128 n = (vs_i128)p[u] * q[v] - (vs_i128)p[v] * q[u];
       minus[i] = n < 0;
-      size[i] = (vs_u128)(n < 0 ? -n : n); /* n is at most 2^64 - 2^33, twice the area of a triangle in a square of less
-                                            * than 2^32 steps */
+      size[i] = (vs_u128)(n < 0 ? -n : n); /* the component n is at most 2^64 - 2^33: twice the area of a triangle in a
+                                            * square of less than 2^32 steps */
       g = gcd64(g, (uint64_t)size[i]);
     }
     for (int i = 0; i < 3; i++) {
@@ -126,8 +126,8 @@ bool vs_plane_through(const int32_t a[3], const int32_t b[3], const int32_t c[3]
       int u = (i + 1) % 3, v = (i + 2) % 3;
       out->n[i] = p[u] * q[v] - p[v] * q[u];
       uint64_t size = (uint64_t)(out->n[i] < 0 ? -out->n[i] : out->n[i]);
-      if (g != 1) g = gcd64(g, g ? size % g : size); /* the greatest common divisor of two large numbers is mostly
-                                                      * small, so the next step is fast */
+      if (g != 1) g = gcd64(g, g ? size % g : size); /* the greatest common divisor of the first two components is
+                                                      * mostly small, so the next step is fast */
     }
   if (g == 0) return false;
   int64_t first = out->n[0] ? out->n[0] : out->n[1] ? out->n[1] : out->n[2];
@@ -180,8 +180,8 @@ bool vs_meet_edge(const int32_t a[3], const int32_t b[3], const vs_plane *p, vs_
   for (int i = 0; i < 3; i++) oa += (vs_i128)p->n[i] * a[i], ob += (vs_i128)p->n[i] * b[i];
   vs_i128 w = oa - ob;
   if (w == 0) return false;
-  for (int i = 0; i < 3; i++) { /* Handles an edge that is parallel to an axis with a plane perpendicular to this axis.
-                                 * The case is common in models. */
+  for (int i = 0; i < 3; i++) { /* Handles the intersection of an edge parallel to an axis with a plane perpendicular to
+                                 * this axis, which is common in models. */
     int j = (i + 1) % 3, l = (i + 2) % 3;
     if (a[j] != b[j] || a[l] != b[l] || p->n[i] != 1 || p->n[j] || p->n[l]) continue;
     wide_from(out->x[i], VS_LIMBS, p->d);
@@ -217,8 +217,8 @@ void vs_homogeneous_fixed(const int64_t fixed[3], vs_homogeneous *out) {
 
 static bool across(const vs_plane *p) { return !p->n[(p->k + 1) % 3] && !p->n[(p->k + 2) % 3]; } /* returns true if the
                                                                                                   * plane is
-                                                                                                  * perpendicular to its
-                                                                                                  * axis k */
+                                                                                                  * perpendicular to the
+                                                                                                  * axis p->k */
 
 bool vs_meet_planes(const vs_plane *p, const vs_plane *q, const vs_plane *r, vs_homogeneous *out) {
   const vs_plane *s[3] = { p, q, r };
@@ -250,9 +250,8 @@ bool vs_meet_planes(const vs_plane *p, const vs_plane *q, const vs_plane *r, vs_
 /* Returns x, which is at least 0, as an approximate double. */
 static inline double near128(vs_i128 x) { return (double)(int64_t)(x >> 64) * 0x1p64 + (double)(uint64_t)x; }
 
-/* Computes the fixed-point numbers as vs_homogeneous_fix does, for numerators that fit into 128 bits and a denominator
- * that fits into 94 bits, as for most points. Computes whole steps first, and then the fraction. Returns false if the
- * numbers are larger. */
+/* Computes the fixed-point numbers as vs_homogeneous_fix does. Returns false if a numerator does not fit into 128 bits
+ * or the denominator not into 94 bits; most points fit. Computes whole steps first, and then the fraction. */
 static bool fix_narrow(const vs_homogeneous *h, int64_t fixed[3], bool *exact) {
   vs_i128 w = (vs_i128)((vs_u128)h->w[1] << 64 | h->w[0]);
   for (int i = 0; i < 3; i++)
@@ -265,7 +264,7 @@ static bool fix_narrow(const vs_homogeneous *h, int64_t fixed[3], bool *exact) {
     if (fabs(guess) > 0x1p32) return false;
     int64_t whole = (int64_t)floor(guess), rest;
     vs_i128 r = x - w * whole;
-    for (; r < 0; whole--) r += w; /* the quotient was computed in doubles, so it may differ by one from the right
+    for (; r < 0; whole--) r += w; /* the quotient was estimated in doubles, so it may differ by one from the right
                                     * integer */
     for (; r >= w; whole++) r -= w;
     rest = (int64_t)(near128(r) * per * (double)(1 << VS_FIXED_BITS));
@@ -292,7 +291,7 @@ static inline void take_times(uint64_t r[4], const uint64_t w[4], uint64_t q) {
   wide_sub(r, product, 4);
 }
 
-/* Returns floor(r / w), and sets r to the remainder. q: an estimate of the quotient with an error of about 1. */
+/* Returns floor(r / w), and sets r to the remainder. q: an estimate of the quotient that is off by one at most. */
 static inline int64_t divide(uint64_t r[4], const uint64_t w[4], int64_t q) {
   take_times(r, w, (uint64_t)q);
   for (; wide_sign(r, 4) < 0; q--) wide_add(r, w, 4);
@@ -324,7 +323,8 @@ bool vs_homogeneous_fix(const vs_homogeneous *h, int64_t fixed[3]) {
   shift_up(up, h->w, UP);
   double per = 1 / near256(h->w);
   exact = true;
-  for (int i = 0; i < 3; i++) { /* computes whole steps first, and then the fraction; all values are below 2^226 */
+  for (int i = 0; i < 3; i++) { /* computes the whole steps of each coordinate first, and then its fraction; all values
+                                 * are below 2^226 */
     uint64_t r[4] = { h->x[i][0], h->x[i][1], h->x[i][2], h->x[i][3] };
     wide_add(r, up, 4);
     int64_t whole = divide(r, h->w, (int64_t)(near256(r) * per)) - ((int64_t)1 << UP);

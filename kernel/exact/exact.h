@@ -34,8 +34,9 @@ enum { VS_FIXED_BITS = 30, VS_GRID_BITS = 31, VS_LIMBS = 4 };
 typedef struct {
   int64_t n[3];
   vs_i128 d;
-  uint8_t k, u, v; /* k: axis with the largest component of the normal; u, v: the other two axes, in an order in which
-                    * counter-clockwise stays so as seen from the normal's tip */
+  uint8_t k, u, v; /* k: axis along which the normal has its largest component; u, v: the other two axes, in such an
+                    * order that a counter-clockwise turn in (u, v) is counter-clockwise as seen from the normal's
+                    * tip */
 } vs_plane;
 
 typedef struct {
@@ -45,8 +46,8 @@ typedef struct {
 
 typedef struct {
   int64_t fixed[3];
-  uint32_t big; /* VS_POINT_EXACT if the fixed-point numbers are exact; otherwise the index of the exact coordinates. An
-                 * index with the bit VS_POINT_MORE refers to the list `more` of a vs_points_view. */
+  uint32_t big; /* VS_POINT_EXACT if the fixed-point numbers are the exact coordinates; otherwise the index of the exact
+                 * coordinates in the view's list `big`, or in its list `more` if the bit VS_POINT_MORE is set */
   uint32_t next; /* next point with the same hash, only in the tables that arrange_planes.c makes for each plane */
 } vs_point;
 
@@ -59,7 +60,8 @@ typedef struct {
 static inline int vs_sign128(vs_i128 x) { return (x > 0) - (x < 0); }
 
 /* Computes the plane through three integer points. *flipped: true if the plane's normal is opposite to the normal of
- * the triangle a, b, c. Returns false if the points are collinear, or the normal does not fit */
+ * the triangle a, b, c. Returns false if the points are collinear, or a component of the normal does not fit into 63
+ * bits. */
 bool vs_plane_through(const int32_t a[3], const int32_t b[3], const int32_t c[3], vs_plane *out, bool *flipped);
 void vs_plane_axes(vs_plane *p);
 /* Computes the plane that contains the integer points a and b and is parallel to axis k. The components of its normal
@@ -77,8 +79,9 @@ bool vs_meet_planes(const vs_plane *p, const vs_plane *q, const vs_plane *r, vs_
  * 0. */
 bool vs_homogeneous_fix(const vs_homogeneous *h, int64_t fixed[3]);
 void vs_homogeneous_integer(const int32_t at[3], vs_homogeneous *out);
-void vs_homogeneous_fixed(const int64_t fixed[3], vs_homogeneous *out); /* converts the fixed-point numbers of an exact
-                                                                         * point to a homogeneous point */
+void vs_homogeneous_fixed(const int64_t fixed[3], vs_homogeneous *out); /* converts the fixed-point coordinates of a
+                                                                         * point, which are exact, to a homogeneous
+                                                                         * point */
 /* Compares the positions of points a and b along an axis, 0, 1 or 2. w > 0 for both points. */
 int vs_homogeneous_compare(const vs_homogeneous *a, const vs_homogeneous *b, int axis); /* returns 1 if a is greater
                                                                                          * than b along the axis, -1 if
@@ -103,7 +106,8 @@ static inline bool vs_side_quick(vs_points_view v, const vs_plane *p, uint32_t x
               p->d * ((vs_i128)1 << VS_FIXED_BITS);
   *sign = vs_sign128(s);
   if (vs_point_exact(q)) return true;
-  vs_i128 low = s, high = s; /* the fixed-point number is at most the exact coordinate, and less than 1 below it */
+  vs_i128 low = s, high = s; /* a fixed-point coordinate is the exact coordinate rounded down, so it is less than 1
+                              * below it */
   for (int i = 0; i < 3; i++) {
     if (p->n[i] < 0) low += p->n[i];
     else high += p->n[i];
@@ -125,7 +129,7 @@ static inline int vs_compare(vs_points_view v, uint32_t a, uint32_t b, int axis)
 }
 
 int vs_orient2d_slow(vs_points_view v, uint32_t a, uint32_t b, uint32_t c, int axis_u, int axis_v);
-enum { VS_UNSURE = 2 }; /* result of a quick test that does not decide the sign */
+enum { VS_UNSURE = 2 }; /* result of a quick test that cannot decide the sign, because rounding errors are too large */
 /* Returns the orientation of points a, b, c as vs_orient2d does, if their fixed-point numbers decide it, else
  * VS_UNSURE. */
 static inline int vs_orient2d_quick(vs_points_view v, uint32_t a, uint32_t b, uint32_t c, int axis_u, int axis_v) {

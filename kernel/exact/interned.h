@@ -22,7 +22,7 @@ typedef struct {
 typedef struct {
   VS_LIST(vs_point) all;
   VS_LIST(vs_homogeneous) big;
-  vs_slots slots; /* hash table of the points, by their fixed-point numbers */
+  vs_slots slots; /* hash table that finds a point by its fixed-point coordinates */
 } vs_points_table;
 
 /* A computed point that has no number in a table of points yet. */
@@ -47,38 +47,38 @@ bool vs_points_integer(vs_kernel *k, vs_points_table *t, const int32_t at[3], ui
  * false when memory is out. */
 bool vs_points_add_corners(vs_kernel *k, vs_points_table *t, int32_t (*corners)[3], const uint32_t *vertices,
                            size_t count, uint32_t *ids);
-/* Sets *id to the number of the point with these coordinates, and adds the point if the table lacks it. h: exact
- * coordinates, or NULL if the fixed-point numbers are exact. Returns false when memory is out. */
+/* Sets *id to the number of the point with the coordinates `fixed`. Adds the point if the table does not contain it. h:
+ * exact coordinates, or NULL if the fixed-point numbers are exact. Returns false when memory is out. */
 bool vs_points_add_fixed(vs_kernel *k, vs_points_table *t, const int64_t fixed[3], const vs_homogeneous *h,
                          uint32_t *id);
 uint64_t vs_points_hash(const int64_t fixed[3]);
 void vs_fresh_fill(vs_fresh_point *f); /* sets the members `fixed` and `hash` of the point from its exact position
                                         * `at` */
-/* Sets ids to the numbers of many points, and adds those that table t lacks. base: a table that precedes t and does not
- * change, or NULL. The number of a point that base lacks is its number in t plus the count of base. Returns false when
- * memory is out. */
+/* Sets ids to the numbers of many points, and adds the points that neither table contains to t. base: a table whose
+ * points precede those of t and which does not change, or NULL. A point of t gets its index in t plus the number of
+ * points in base. Returns false when memory is out. */
 bool vs_points_add_all(vs_kernel *k, vs_points_table *t, const vs_points_table *base, const vs_fresh_point *fresh,
                        size_t count, uint32_t *ids);
-/* Appends the points of `more` to t; `more` is a table that was built with base t. `more` is empty afterwards. If the
- * slots of `more` were freed, later searches in t do not find these points. Returns false when memory is out. */
+/* Appends the points of the table `more`, which was built with t as its base, to t. `more` is empty afterwards. If the
+ * hash table of `more` was freed, later searches in t do not find these points. Returns false when memory is out. */
 bool vs_points_append(vs_kernel *k, vs_points_table *t, vs_points_table *more);
 void vs_points_forget(vs_kernel *k, vs_points_table *t); /* frees the hash table of t, after which points can no longer
                                                           * be searched */
-/* Sets out to the position, in grid steps, of point `id` of the table, which has whole coordinates. */
+/* Sets out to the position of point `id` of the table, in whole grid steps. */
 void vs_points_grid(const vs_points_table *t, uint32_t id, int32_t out[3]); /* the point must be a vertex of the
                                                                              * input */
 void vs_points_free(vs_kernel *k, vs_points_table *t);
 
 uint64_t vs_planes_hash(const vs_plane *p);
-/* Sets *id to the number of plane p, and adds the plane if the table lacks it. hash: hash of p. Returns false when
- * memory is out. */
+/* Sets *id to the number of plane p. Adds the plane if the table does not contain it. hash: hash of p. Returns false
+ * when memory is out. */
 bool vs_planes_add(vs_kernel *k, vs_planes_table *t, const vs_plane *p, uint64_t hash, uint32_t *id);
-/* Makes room for `more` additional planes, so that the table is not enlarged when they are added. Returns false when
+/* Reserves memory for `more` additional planes, so that adding them does not enlarge the table. Returns false when
  * memory is out. */
 bool vs_planes_expect(vs_kernel *k, vs_planes_table *t, size_t more);
 bool vs_points_expect(vs_kernel *k, vs_points_table *t, size_t more);
-/* Distances at which entries of a hash table are prefetched: slots VS_AHEAD_FAR items in advance, and the items in them
- * VS_AHEAD_NEAR items in advance. */
+/* How far ahead a loop over many items prefetches memory of a hash table: the slot of the item VS_AHEAD_FAR steps
+ * later, and the entry in the slot VS_AHEAD_NEAR steps later. */
 enum { VS_AHEAD_FAR = 16, VS_AHEAD_NEAR = 8 };
 static inline const vs_slot *vs_slot_of(const vs_slots *s, uint64_t hash) {
   return &s->at[(uint32_t)(hash >> 32) >> s->shift];

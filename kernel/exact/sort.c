@@ -1,4 +1,5 @@
-/* Sorts by keys. It sorts short runs by insertion, and then merges the runs unless they are already in order. */
+/* Sorts items by integer keys. Sorts short runs by insertion, and then merges the runs unless they are already in
+ * order. */
 #include "kernel/exact/sort.h"
 
 #include "model/assert.h"
@@ -24,8 +25,8 @@ void vs_sort_keyed(vs_keyed *at, vs_keyed *scratch, size_t count) {
       memcpy(scratch, at + low, width * sizeof *at);
       size_t i = 0, j = middle, out = low;
       while (i < width && j < high) {
-        int second = at[j].key < scratch[i].key; /* The comparison causes no branch, which the processor could not
-                                                  * predict. */
+        int second = at[j].key < scratch[i].key; /* This comparison causes no branch, because the processor could not
+                                                  * predict it. */
         const vs_keyed *from = second ? &at[j] : &scratch[i];
         at[out++] = *from;
         j += (size_t)second;

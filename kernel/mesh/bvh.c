@@ -154,8 +154,8 @@ static vs_bvh_box around(const vs_pack *p) {
   return b;
 }
 
-/* Returns the family of all items below the given block of the tree. Returns -1 if they have several families, or one
- * has none. The level must exist. */
+/* Returns the family of all items below the given block of the tree. Returns -1 if they have several families, or an
+ * item has no family. The tree must have this level. */
 static int32_t family_below(const vs_bvh *t, uint32_t level, uint32_t block) {
   uint32_t all = level ? t->size[level - 1] : t->count,
            held = all - block * BLOCK < BLOCK ? all - block * BLOCK : BLOCK;
@@ -219,8 +219,8 @@ typedef struct {
   const vs_bvh *t;
   vs_bvh_box box;
   uint32_t from;
-  int32_t family; /* family whose items are skipped: the traversal omits blocks that contain only this family; -1:
-                   * none */
+  int32_t family; /* family whose items are skipped: the traversal omits blocks that contain only items of this family;
+                   * -1: nothing is skipped */
   struct { uint32_t level, i; } stack[STACK];
   int top;
 } descent;
@@ -234,8 +234,8 @@ static void begin(descent *d, const vs_bvh *t, const vs_bvh_box *box, uint32_t f
   if (t->level_count) d->stack[d->top].level = t->level_count - 1, d->stack[d->top++].i = 0;
 }
 
-/* Finds the next block of the traversal. Bit i of *met is set if box i of the block intersects d->box. Returns false at
- * the end. */
+/* Finds the next block of the traversal, and sets *block to its number. Bit i of *met is set if box i of the block
+ * intersects d->box. Returns false at the end. */
 static bool next(descent *d, uint32_t *block, uint32_t *met) {
   const vs_bvh *t = d->t;
   while (d->top) {
@@ -263,7 +263,7 @@ static bool next(descent *d, uint32_t *block, uint32_t *met) {
 uint32_t vs_bvh_blocks(const vs_bvh *t) { return t->level_count ? t->size[0] : 0; }
 
 bool vs_bvh_pairs(const vs_bvh *t, uint32_t first, uint32_t end, vs_bvh_pair_fn *fn, void *context) {
-  enum { GROUP = 4 }; /* number of neighbouring blocks for which the tree is traversed once */
+  enum { GROUP = 4 }; /* number of neighbouring blocks for which one traversal of the tree finds the pairs */
   uint32_t blocks = vs_bvh_blocks(t), block, met;
   if (end > blocks) end = blocks;
   for (uint32_t from = first; from < end; from += GROUP) {

@@ -26,9 +26,9 @@ static inline void vs_pack_put(vs_pack *p, uint32_t lane, const vs_bvh_box *b) {
   VS_ASSERT(lane < 4);
   for (int j = 0; j < 3; j++) p->min[j][lane] = b->min[j], p->max[j][lane] = b->max[j];
 }
-/* vs_pack_meeting and vs_pack_holding test the four boxes of p against the box b. In the result, lane i has all bits
- * set if the test is true for box i, else none. */
-/* Tests which boxes of p intersect or touch b. The negated form uses the comparisons that processors offer. */
+/* vs_pack_meeting and vs_pack_holding test the four boxes of p against the box b. Lane i of the result has all bits set
+ * if the test is true for box i, and no bit otherwise. */
+/* Tests which boxes of p intersect or touch b. The test is negated, because processors have these comparisons. */
 static inline vs_lanes vs_pack_meeting(const vs_pack *p, const vs_bvh_box *b) {
   return ~((p->min[0] > b->max[0]) | (p->max[0] < b->min[0]) | (p->min[1] > b->max[1]) | (p->max[1] < b->min[1]) |
            (p->min[2] > b->max[2]) | (p->max[2] < b->min[2]));
@@ -51,13 +51,13 @@ static inline uint32_t vs_pack_bits(vs_lanes all) { /* converts the lanes of a t
  * level l + 1 contains the bounding boxes of four packs of level l. */
 typedef struct {
   const vs_bvh_box *boxes;      /* the caller's boxes, in the caller's order; used only during the build */
-  const uint32_t *families; /* families[i]: family of item i; the index never reports two items of one family as a pair.
-                             * UINT32_MAX: the item has no family. NULL: there are no families. The caller sets this
-                             * member before the build, which then resets it. */
+  const uint32_t *families; /* families[i]: family of item i, or UINT32_MAX for none; the index never reports two items
+                             * of one family as a pair. NULL: there are no families. The caller sets this member before
+                             * each build, which resets it to NULL. */
   uint32_t *order;          /* order[i]: number of the item at position i of the Morton order */
   vs_pack *packs;
-  vs_lanes *family;         /* family of each item and, in higher levels, the family of all items below a pack's lane.
-                             * -1: none or several families. Empty if there are no families. */
+  vs_lanes *family;         /* For each item, its family. In higher levels: the family of all items below a lane of a
+                             * pack. -1: no family, or several. Empty if there are no families. */
   size_t order_room, pack_room, family_room;
   uint32_t count, level_count, first[18]; /* count: number of items; level_count: number of levels; first[l]: index of
                                            * the first pack of level l */

@@ -1,4 +1,5 @@
-/* Declares a count of intersecting boxes, which estimates the work of arranging a mesh with itself. */
+/* Declares a function that counts pairs of intersecting boxes of a mesh's triangles. The count estimates the time to
+ * intersect the mesh with itself. */
 #ifndef VS_KERNEL_MESH_CROWD_H
 #define VS_KERNEL_MESH_CROWD_H
 

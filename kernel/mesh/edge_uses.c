@@ -18,8 +18,8 @@ typedef struct {
   vs_ends_fn *ends;
   const void *context;
   uint32_t items, points;
-  VS_LIST(uint32_t) counts; /* for each chunk of items and range of points: number of edges, later the index where the
-                             * chunk writes its next edge */
+  VS_LIST(uint32_t) counts; /* for each chunk of items and each range of points: first the number of edges, later the
+                             * index where the chunk writes its next edge */
   VS_LIST(uint32_t) begin;  /* begin[r]: index of the first edge of range r; an extra element marks the end */
   VS_LIST(loose) loose;
 } sorting;
@@ -65,8 +65,8 @@ static bool sort_range(vs_kernel *k, void *context, size_t range) {
   uint32_t *first = h->first.at + from, n = end - from;
   memset(first, 0, n * sizeof *first); /* clears n elements only, because element n belongs to the next range */
   for (uint32_t i = low; i < high; i++) first[s->loose.at[i].low - from]++;
-  /* The loop sets first[p] to the end of point p's edges. When the edges are filled in from the end, first[p] decreases
-   * to their beginning. */
+  /* The loop sets first[p] to the end of the list of point p's edges. Then the edges are filled in from the end, and
+   * first[p] decreases to the beginning of the list. */
   for (uint32_t p = 0, sum = low; p < n; p++) {
     sum += first[p];
     first[p] = sum;

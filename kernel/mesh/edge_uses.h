@@ -5,12 +5,12 @@
 #include "kernel/exact/interned.h"
 #include "model/store/disjoint.h"
 
-typedef struct { uint32_t high, item; } vs_half; /* a directed edge; its lower point is implied by its position in `at`;
-                                                  * high: the edge's higher point; item: number of the item with this
-                                                  * edge */
+typedef struct { uint32_t high, item; } vs_half; /* A directed edge. high: number of its higher point; item: number of
+                                                  * the triangle or face that has this edge. The position in the list
+                                                  * `at` implies the lower point. */
 
 typedef struct {
-  VS_LIST(vs_half) at;      /* the edges in the order of lower point, higher point and item */
+  VS_LIST(vs_half) at;      /* the directed edges, sorted by lower point, then by higher point, then by item */
   VS_LIST(uint32_t) first;  /* first[p]: index in `at` of the first edge whose lower point is p; an extra element marks
                              * the end */
   uint32_t shift, ranges;   /* ranges: number of ranges of points, each of which one task sorts; a range has 1 << shift

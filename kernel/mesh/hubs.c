@@ -29,7 +29,7 @@ typedef struct {
   const vs_fans *m;
   VS_LIST(uint32_t) count; /* count[v]: number of triangles at vertex v */
   VS_LIST(spoke) spokes;
-  VS_LIST(uint32_t) order, scratch; /* indices of the spokes (triangles at hubs), sorted by hub and then by the
+  VS_LIST(uint32_t) order, scratch; /* order: indices of the spokes (triangles at hubs), sorted by hub and then by the
                                      * triangle's next corner; scratch: memory for the sort */
 } search;
 
@@ -88,7 +88,8 @@ static bool goes_round_once(const search *c, size_t first, size_t end) {
   return fabs(sum - 6.283185307179586) < 1;
 }
 
-/* Makes a list entry (spoke) for each triangle corner at a hub, a vertex of very many triangles. */
+/* Makes a spoke for each triangle corner at a hub. A spoke is a list entry for a triangle; a hub is a vertex of very
+ * many triangles. */
 static bool find_spokes(vs_kernel *k, search *c) {
   const vs_fans *m = c->m;
   for (uint32_t t = 0; t < m->triangle_count; t++)
@@ -104,7 +105,7 @@ static bool find_spokes(vs_kernel *k, search *c) {
 }
 
 /* Returns the number of edges that two triangles around one hub (a vertex of very many triangles) share. The search for
- * pairs of boxes omits pairs of one hub, so these edges are counted here. */
+ * pairs of boxes omits such triangles, so it does not count these edges. */
 static size_t edges_within(const search *c, const vs_hubs *hubs, size_t first, size_t end) {
   size_t edges = 0;
   for (size_t i = first; i < end; i++) {
@@ -114,7 +115,7 @@ static size_t edges_within(const search *c, const vs_hubs *hubs, size_t first, s
   return edges;
 }
 
-/* Returns the position in `order` after the last triangle of the hub to which triangle number i there belongs. */
+/* Returns the index in `order` after the last triangle of a hub: the hub of the triangle at index i. */
 static size_t end_of_hub(const search *c, size_t i) {
   size_t end = i + 1;
   VS_ASSERT(i < c->order.count);
@@ -130,8 +131,8 @@ enum { NESTED = 64 }; /* greatest number of hubs (vertices of very many triangle
 /* A hub (vertex of very many triangles) and the cone that its triangles bound. The cone's edges are in order and
  * relative to the hub. */
 typedef struct {
-  vs_vec3 hub, d, u, v; /* hub: position of the cone's tip; d: its axis, a unit vector; u, v: unit vectors perpendicular
-                         * to d */
+  vs_vec3 hub, d, u, v; /* hub: position of the cone's tip; d: unit vector along the cone's axis; u, v: unit vectors
+                         * perpendicular to d */
   double side;          /* 1 if the cone opens from its tip in the direction d, -1 if it opens in the opposite
                          * direction */
   size_t first, count;  /* first, count: range of the cone's edges in the arrays of edges and of their angles */
@@ -154,8 +155,8 @@ static bool under(const cones *c, const cone *w, size_t i, vs_vec3 x) {
 
 static double angle_of(const cone *w, vs_vec3 x) { return atan2(vs_v3_dot(x, w->v), vs_v3_dot(x, w->u)); }
 
-/* Adds the cone around the hub (vertex) whose triangles [first, end) surround it once. Sets the cone's member `convex`.
- * Returns false when memory is out. */
+/* Adds the cone around a hub (vertex). Its triangles, with the indices [first, end) in the search's `order`, surround
+ * it once. Sets the cone's member `convex`. Returns false when memory is out. */
 static bool make_cone(vs_kernel *k, const search *s, size_t first, size_t end, cones *c) {
   cone w = { .hub = s->m->corner(s->m->context, at(s, first)->hub), .first = c->edges.count };
   for (size_t i = first; i < end; i++)
@@ -192,8 +193,8 @@ static bool within(const cones *c, const cone *w, vs_vec3 place) {
   double angle = angle_of(w, x);
   VS_ASSERT(w->convex);
   if (angle < 0) angle += 6.283185307179586;
-  size_t low = 0, high = w->count; /* finds by bisection the last edge of the cone whose angle is not above that of the
-                                    * place */
+  size_t low = 0, high = w->count; /* finds, by bisection, the last edge of the cone whose angle is at most the angle of
+                                    * the place */
   while (high - low > 1) {
     size_t middle = low + (high - low) / 2;
     if (c->angles.at[w->first + middle] <= angle) low = middle;
@@ -205,8 +206,8 @@ static bool within(const cones *c, const cone *w, vs_vec3 place) {
          under(c, w, from + 1, x) && under(c, w, from + 2, x);
 }
 
-/* Returns true if all triangles around the tip of cone b lie inside cone a. The tip of b is tested against every
- * triangle of a, because it may lie on the axis. */
+/* Returns true if all triangles around the tip of cone b lie inside cone a. The tip of b may lie on the axis of a,
+ * where no angle is known, so it is tested against every triangle of a. */
 static bool holds(const cones *c, const cone *a, const cone *b) {
   vs_vec3 x = vs_v3_sub(b->hub, a->hub);
   if (!a->convex) return false;
@@ -217,8 +218,8 @@ static bool holds(const cones *c, const cone *a, const cone *b) {
   return true;
 }
 
-/* Joins hubs (vertices of very many triangles) whose triangles lie within each other's cones to one family, named after
- * the first hub. Pairs of one family need no test. */
+/* Makes one family of hubs (vertices of very many triangles) whose triangles lie within each other's cones. The family
+ * has the number of its first hub. Triangles of one family need no test against each other. */
 static bool join_nested(vs_kernel *k, const search *s, vs_hubs *out) {
   size_t count = out->corners.count;
   cones c = { .cones = { 0 } };
@@ -235,7 +236,7 @@ static bool join_nested(vs_kernel *k, const search *s, vs_hubs *out) {
     family[i] = (uint32_t)i;
     for (size_t f = 0; family[i] == i && f < i; f++) {
       if (family[f] != f) continue;
-      bool apart = true; /* true if the hub's triangles do not intersect those of any hub in the family */
+      bool apart = true; /* true if the hub's triangles do not intersect the triangles of any hub in the family */
       for (size_t j = f; apart && j < i; j++)
         apart = family[j] != f || holds(&c, &c.cones.at[j], &c.cones.at[i]) ||
                 holds(&c, &c.cones.at[i], &c.cones.at[j]);

@@ -21,7 +21,7 @@
 #include "kernel/cluster.h"
 #include "kernel/threads.h"
 
-/* ---- open edges: the uses of an edge in its two directions are not equally many ---- */
+/* ---- open edges: those that triangles contain more often in one direction than in the other ---- */
 
 typedef struct { uint32_t low, high, triangle; int32_t way; } directed;
 
@@ -87,7 +87,7 @@ static bool open_edges(vs_kernel *k, const vs_mesh *m, vs_mesh_flaws *out) {
     if (balance != 0) {
       const vs_vec3 *a = &m->vertices[first->low], *b = &m->vertices[first->high];
       vs_mesh_flaw flaw = { first->triangle, vs_v3((a->x + b->x) / 2, (a->y + b->y) / 2, (a->z + b->z) / 2), 0 };
-      for (size_t j = i; j < end; j++) /* finds the first triangle at this edge that has no partner with the opposite
+      for (size_t j = i; j < end; j++) /* finds the first triangle that has this edge without a partner in the opposite
                                         * direction */
         if ((edges.at[order.at[j]].way > 0) == (balance > 0)) {
           flaw.triangle = edges.at[order.at[j]].triangle;
@@ -162,8 +162,8 @@ static void inside_of(const vs_cluster *c, uint32_t face, int64_t at[3]) {
           continue;
         }
         double cross = (double)a->fixed[p->u] + (v - ay) / (by - ay) * (double)(b->fixed[p->u] - a->fixed[p->u]);
-        if (!pass) x[0] = ay > by ? cross : NAN; /* A face lies to the left of its boundary edges. Therefore it is to
-                                                  * the right along u if the edge goes down. */
+        if (!pass) x[0] = ay > by ? cross : NAN; /* A face lies to the left of its boundary edges. Therefore the face is
+                                                  * to the right along u if the edge goes down. */
         else if (cross > x[0] && cross < x[1]) x[1] = cross;
       }
     if (isfinite(x[0]) && isfinite(x[1]) && x[1] - x[0] > best) best = x[1] - x[0], u = (x[0] + x[1]) / 2;
@@ -173,8 +173,8 @@ static void inside_of(const vs_cluster *c, uint32_t face, int64_t at[3]) {
   at[p->k] = (int64_t)(((double)p->d * 0x1p30 - (double)p->n[p->u] * u - (double)p->n[p->v] * v) / (double)p->n[p->k]);
 }
 
-/* Computes the volume and area of each cell, in cubic and square steps. The volume is a sum of cones from a corner of
- * the cell. Because this corner is near, the errors of a small cell are small. */
+/* Computes the volume of each cell, in cubic steps, and its area, in square steps. The volume is a sum of cones whose
+ * tip is a corner of the cell. This corner is near, so rounding errors are small even for a small cell. */
 static void measure_cells(const vs_cluster *c, cell *cells) {
   for (uint32_t f = 0; f < c->faces.count; f++) {
     uint32_t begin = c->faces.at[f].use, end = begin + c->faces.at[f].use_count;
@@ -218,8 +218,8 @@ static bool name_triangles(vs_kernel *k, vs_cluster *c, vs_mesh_flaws *out) {
   for (uint32_t i = 0; ok && i < 2 * f; i++) {
     uint32_t at = c->side_cell.at[i];
     int32_t winding = c->wound.at[at];
-    /* The second condition ignores cells thinner than two grid steps: their volume is at most half their area times two
-     * steps. */
+    /* Ignores cells thinner than two grid steps, which rounding may cause: their volume is at most half their area
+     * times two steps. */
     if ((winding == 0 || winding == 1) || fabs(cells.at[at].volume) <= cells.at[at].area) continue;
     if (winding < out->least) out->least = winding;
     if (winding > out->most) out->most = winding;
@@ -299,8 +299,8 @@ static bool shells_apart(vs_kernel *k, const vs_part *p, bool *apart) {
   return ok;
 }
 
-/* Sets *whole to true if the triangles at each vertex form a single fan. It unites triangle corners that follow each
- * other around a vertex. The fans are single if there are as many sets of corners as vertices. */
+/* Sets *whole to true if the triangles at each vertex form a single fan. Unites triangle corners that follow each other
+ * around a vertex, and compares the number of sets with the number of vertices. */
 static bool fans_whole(vs_kernel *k, const vs_part *p, bool *whole) {
   const vs_mesh *m = p->mesh;
   size_t n = 3 * m->triangle_count, sets = 0, corners = 0;
@@ -337,13 +337,13 @@ bool vs_part_plainly_good(vs_kernel *k, const vs_part *p, bool *good) {
   if (!shells_apart(k, p, good) || !*good) return k->error->status == VS_KERNEL_FINE;
   *good = false;
   if (!fans_whole(k, p, &whole) || !vs_mesh_is_apart(k, p->mesh, &apart, &edges)) return false;
-  /* The last condition excludes edges of four triangles, for which the pairs of triangles are arbitrary. */
+  /* The last condition excludes a mesh with edges of four triangles, because these can be paired in several ways. */
   *good = whole && apart && 2 * edges == 3 * p->mesh->triangle_count;
   return true;
 }
 
-/* Returns true if facets of the cluster intersect or touch. Such facets have cuts, except coplanar facets with equal
- * borders, which are united to a group. */
+/* Returns true if facets of the cluster intersect or touch. Facets in different planes then have cuts; facets of one
+ * plane are then united to a group. */
 static bool touches(const vs_cluster *c) {
   for (uint32_t f = 0; f < c->facets.count; f++)
     if (c->facets.at[f].group != f) return true;

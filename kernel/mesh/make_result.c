@@ -14,8 +14,8 @@
 
 #include <string.h>
 
-/* Returns true if the tags a and b have equal paints. When solids are united level by level, tags are numbers of
- * leaves, and paints are not compared. */
+/* Returns true if the tags a and b have equal paints. While solids are united level by level (levels.c), tags are
+ * numbers of leaves; then returns true only if a and b are equal. */
 static bool same_paint(const vs_cluster *c, uint32_t a, uint32_t b) {
   const vs_kernel_problem *p = c->problem;
   return a == b || (!c->joining && p->paints && p->paints[a] == p->paints[b]);
@@ -32,8 +32,8 @@ VS_AHEAD merge_ahead(const vs_cluster *c, uint32_t i, uint32_t stop) {
   __builtin_prefetch(&c->faces.at[face]);
 }
 
-/* Merges two coplanar faces of one paint and orientation across an edge that no other face has. Collects the remaining
- * edges. */
+/* Merges two coplanar faces of one paint and orientation across their common edge, if no other face has this edge.
+ * Collects the edges that remain. */
 static bool merge_range(vs_kernel *k, void *context, size_t range) {
   vs_result_state *w = context;
   const vs_cluster *c = w->c;
@@ -105,7 +105,7 @@ static bool merge(vs_result_state *w) {
 }
 
 /* Returns true if the edges e and f have the same merged faces beside them. *flat: true if all these faces lie in one
- * plane. *bent: true if a merged face has another plane beside e than beside f. */
+ * plane. *bent: true if a merged face lies in one plane beside e and in another beside f. */
 static bool same_faces(vs_result_state *w, uint32_t e, uint32_t f, bool *flat, bool *bent) {
   uint32_t eb = w->edge_first.at[e], ee = w->edge_first.at[e + 1], fb = w->edge_first.at[f],
            fe = w->edge_first.at[f + 1];
@@ -145,12 +145,13 @@ static bool drop_some_corners(vs_kernel *k, void *context, size_t chunk) {
     if (w->degree.at[p] != 2 || !same_faces(w, w->edges.at[2 * p], w->edges.at[2 * p + 1], &flat, &bent)) continue;
     const vs_use *a = vs_result_use(w, w->edge_first.at[w->edges.at[2 * p]]),
                  *b = vs_result_use(w, w->edge_first.at[w->edges.at[2 * p + 1]]);
-    if (bent) { /* a face beside this corner changes its plane here; straighten.c decides whether the corner can be
-                 * dropped */
+    if (bent) { /* beside this corner, a merged face passes from one plane to another; straighten.c decides whether the
+                 * corner can be dropped */
       if (flat || w->stays.at[p] || !are_two(w, w->edges.at[2 * p])) continue;
       w->bent.at[p] = 1;
     }
-    if (flat) { /* even in a single plane, the two edges may lie on different lines */
+    if (flat) { /* if all faces beside the two edges lie in a single plane, the edges may still have different
+                 * directions */
       const vs_plane *plane = &c->planes.all.at[c->faces.at[a->face].plane];
       if (vs_orient2d(vs_points_of(&c->points), vs_result_other_end(a, (uint32_t)p), (uint32_t)p,
                       vs_result_other_end(b, (uint32_t)p), plane->u, plane->v) != 0)
@@ -241,8 +242,8 @@ static bool has_all_corners(const vs_result_state *w, uint32_t f) {
   return true;
 }
 
-/* Returns true if the leaf's outward direction is opposite to the normal of face f's plane. Returns false for a face
- * that is in no sheet (planar facet that the grid has split). */
+/* Returns true if face f belongs to a sheet (planar facet that the grid has split) and the outward direction of its
+ * leaf is opposite to the normal of f's plane. */
 static bool is_turned(const vs_result_state *w, uint32_t f) {
   uint32_t facet = vs_result_facet(w, &w->c->faces.at[f]);
   return facet != VS_NONE && w->c->facets.at[facet].flip;
@@ -320,8 +321,8 @@ static bool triangulate_chunk(vs_kernel *k, void *context, size_t index) {
     } else {
       bool simple = true;
       if (!gather_sides(k, w, f, t) || (w->sheets && !vs_sheets_simple(w, f, k, t, &simple))) return false;
-      if (!simple) continue; /* A merged face whose border intersects itself makes the result invalid. The result is
-                              * then made again. */
+      if (!simple) continue; /* The border of a merged face intersects itself, so its triangles are not made. The caller
+                              * then makes the whole result again. */
       if (!vs_plane_triangulate(k, t, &c->points, &c->planes.all.at[face->plane])) return false;
       if (w->sheets) vs_sheets_mend(w, f, t);
       n = t->triangles.count;
@@ -395,8 +396,8 @@ static bool write(vs_result_state *w, vs_mesh *out) {
   size_t points = w->c->points.all.count, corners = 0;
   size_t limit = w->k->options ? w->k->options->max_triangles : 0;
   for (size_t p = 0; p < points; p++) corners += w->degree.at[p] % 4 != 0;
-  size_t about = limit && limit < 2 * corners ? limit : 2 * corners; /* estimate of the number of triangles by Euler's
-                                                                      * formula for a sphere */
+  size_t about = limit && limit < 2 * corners ? limit : 2 * corners; /* estimate of the number of triangles, two for
+                                                                      * each corner, by Euler's formula for a sphere */
   if (!make_chunks(w) || !reserve(w, out, out->triangle_count + about) ||
       !VS_ROOM(w->k, w->looks.at, w->looks.room, about + 1) || !VS_ROOM(w->k, w->out.at, w->out.room, points + 1) ||
       !VS_ROOM(w->k, w->points.at, w->points.room, points + 1))
@@ -483,7 +484,7 @@ bool vs_output_faces(vs_kernel *k, vs_cluster *c, vs_mesh *out) {
     bool failed = !ok && w.sheets && k->error->status == VS_KERNEL_INTERNAL;
     if (ok && !vs_sheets_spoiled(&w)) break;
     if (!ok && !failed) break;
-    if (failed) { /* makes the result again with all corners, which needs no check */
+    if (failed) { /* makes the result again with all corners; such a result needs no check */
       k->error->status = VS_KERNEL_FINE;
       atomic_store(&k->stop, false);
     }

@@ -14,8 +14,8 @@
 
 #include <string.h>
 
-/* A list for each range of edges: the position of the first directed edge of each edge that does not have exactly two
- * triangles. */
+/* For a range of edges: the positions, in the sorted list of directed edges, of the edges that do not have exactly two
+ * triangles. The position is that of the first directed edge. */
 typedef struct { VS_LIST(uint32_t) at; } crowded;
 
 typedef struct {
@@ -23,14 +23,15 @@ typedef struct {
   vs_fresh_result of;          /* result to split; vertices on the rim of untouched triangles are not split, because
                                 * nothing touches there */
   size_t vertices, triangles;
-  _Atomic size_t open;         /* number of edges between these triangles and untouched triangles, which are written
-                                * later */
+  _Atomic size_t open;         /* number of edges between the result's triangles and untouched triangles, which are
+                                * copied later */
   vs_halves halves;            /* directed edges of the triangles; item 3 * triangle + j is the edge from corner j to
                                 * the next corner */
   VS_LIST(crowded) crowded;
   VS_LIST(uint32_t) twins;
   VS_LIST(_Atomic uint32_t) lead; /* lead[v]: one of the triangle corners (3 * triangle + j) at vertex v */
-  _Atomic size_t seen;         /* number of triangle corners in the fans around the corners in `lead` */
+  _Atomic size_t seen;         /* number of triangle corners in the fans that contain the corners in `lead`; if it is
+                                * the number of all corners, no vertex must be split */
   VS_LIST(uint32_t) to;        /* to[c]: vertex of triangle corner c after the split, counted from first_vertex */
   VS_LIST(uint32_t) copied;    /* copied[i]: vertex whose position the new vertex i copies */
   VS_LIST(uint8_t) taken;
@@ -38,7 +39,8 @@ typedef struct {
   VS_LIST(vs_around) many;     /* faces around the edges of more than two triangles, in cyclic order; the wedge before
                                 * the first face is empty */
   VS_LIST(uint32_t) many_first;
-  VS_LIST(uint8_t) way;        /* way[e]: how the triangles at edge e are paired, if the edge has more than two */
+  VS_LIST(uint8_t) way;        /* way[e]: how the triangles at edge e are paired if it has more than two: across solid
+                                * wedges, across empty wedges, or with separate vertices in the edge's middle */
   VS_LIST(uint32_t) middle;    /* middle[c]: vertex in the middle of the edge that begins at triangle corner c, or
                                 * VS_NONE */
 } splitter;
@@ -52,8 +54,8 @@ static uint32_t vertex_at(const splitter *s, uint32_t corner) {
 
 static bool starts_at(const splitter *s, uint32_t corner, uint32_t low) { return vertex_at(s, corner) == low; }
 
-/* Pairs the triangles at an edge of more than two triangles. low: the edge's lower point; halves: the `count` directed
- * edges between its ends. */
+/* Pairs the triangles at an edge that has more than two. low: number of the edge's lower point; halves: the `count`
+ * directed edges between its two points. */
 static bool pair_many(splitter *s, uint32_t low, const vs_half *halves, size_t count) {
   vs_points_view view = vs_points_of(&s->of.c->points);
   int x, y, sign = vs_around_axes(view, s->of.points[low], s->of.points[halves[0].high], &x, &y);
@@ -81,14 +83,14 @@ static bool pair_many(splitter *s, uint32_t low, const vs_half *halves, size_t c
   return true;
 }
 
-/* Makes the triangles that begin with the edges at corners a and b neighbours across these edges. */
+/* Makes two triangles neighbours: the one whose corner a begins their common edge, and the one whose corner b does. */
 static void join(splitter *s, uint32_t a, uint32_t b) {
   VS_ASSERT(a != b);
   s->twins.at[a] = b;
   s->twins.at[b] = a;
 }
 
-/* Sets *a and *b to the two faces of pair n at the edge. The pair must exist. */
+/* Sets *a and *b to the two faces of pair n at the edge. The edge has such a pair. */
 static void pair_of(const splitter *s, size_t edge, size_t n, uint32_t *a, uint32_t *b) {
   uint32_t begin = s->many_first.at[edge], count = s->many_first.at[edge + 1] - begin;
   size_t i = 2 * n + (s->way.at[edge] == AIR);
@@ -135,9 +137,9 @@ static bool join_range(vs_kernel *k, void *context, size_t range) {
     if (end - i == 2 && first != starts_at(s, at[1].item, low)) {
       join(s, at[0].item, at[1].item);
       atomic_store_explicit(&s->lead.at[low], at[!first].item, memory_order_relaxed); /* Several threads may write
-                                                                                       * lead[low]. Each of their values
-                                                                                       * is a triangle corner there, so
-                                                                                       * any is right. */
+                                                                                       * lead[low]. Each writes a corner
+                                                                                       * of a triangle at this vertex,
+                                                                                       * and any of them is right. */
       atomic_store_explicit(&s->lead.at[at->high], at[first].item, memory_order_relaxed);
     } else if (end - i == 1 && on_rim(s, low) && on_rim(s, at->high)) {
       s->twins.at[at[0].item] = VS_NONE;
@@ -172,7 +174,7 @@ static bool find_twins(splitter *s) {
 }
 
 enum { VERTICES = 1 << 14 };
-/* Counts the triangle corners in one fan at each vertex. If the fans contain all corners, the result does not touch
+/* Counts the triangle corners in one fan at each vertex. If these are all corners of the result, it does not touch
  * itself. */
 static bool count_fans(vs_kernel *k, void *context, size_t chunk) {
   splitter *s = context;
@@ -260,9 +262,9 @@ static bool join_many(splitter *s) {
       }
     if (!find_fans(s)) return false;
     for (size_t e = 0; e < s->way.count; e++)
-      if (s->way.at[e] < MIDDLE && still_held(s, e)) s->way.at[e]++, again = true; /* the loop ends, because an edge
-                                                                                    * changes its way of pairing at most
-                                                                                    * twice */
+      if (s->way.at[e] < MIDDLE && still_held(s, e)) s->way.at[e]++, again = true; /* the loop ends, because the
+                                                                                    * pairing at an edge changes at
+                                                                                    * most twice */
   }
   return true;
 }

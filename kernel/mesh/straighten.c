@@ -32,19 +32,19 @@
 static const double OFF = 1, ALIKE = 0.999, WEDGE = -0.98, SHALLOW = 0.97, FAR = 8, BESIDE = 0.5;
 
 typedef struct {
-  double n[3], at[3]; /* middle plane of the sheet (the facets into which the grid has split a planar facet). n: its
-                       * unit normal, outwards; at: a point of the plane, in steps */
+  double n[3], at[3]; /* middle plane of the sheet, a planar facet that the grid has split into several. n: its unit
+                       * normal, outwards; at: a point of the plane, in grid steps */
   uint32_t corners, bends;
-  bool merged, fresh;       /* merged: true if the sheet's faces are merged; fresh: true if the merging was given up
-                             * since the last check of cuts */
+  bool merged, fresh;       /* merged: true if the sheet's faces are merged into one; fresh: true if this merging was
+                             * given up since the last check of the cuts */
   _Atomic bool given_up;
 } sheet;
 
 typedef struct {
-  uint32_t p, q, edge, keys[2], sheets[2]; /* A cut from point p to point q whose corners in between (bends) are
-                                            * dropped. Its first edge is `edge`, at p. The faces on its two sides have
-                                            * the representative planes `keys`, and lie in the sheets (split planar
-                                            * facets) `sheets`. */
+  uint32_t p, q, edge, keys[2], sheets[2]; /* A cut from point p to point q, without the corners between them (bends),
+                                            * which are dropped. Its first edge, at p, is `edge`. On its two sides are
+                                            * faces with the representative planes `keys`, in the sheets `sheets`
+                                            * (planar facets that the grid has split). */
   double wide;
 } cut;
 typedef struct { double at; uint32_t point; } placed;
@@ -56,21 +56,22 @@ struct vs_sheets {
                                * f, or VS_NONE */
   VS_LIST(uint32_t) of_face;  /* of_face[f]: number of the sheet (planar facet that the grid has split) that contains
                                * face f, or VS_NONE */
-  VS_LIST(uint32_t) face_key; /* face_key[f]: plane that represents the plane of face f and those that the grid has
-                               * split from it, or VS_NONE */
+  VS_LIST(uint32_t) face_key; /* face_key[f]: number of the plane that represents face f's plane; if the grid has split
+                               * a planar facet into several planes, one of them represents all; VS_NONE if unknown */
   VS_LIST(cut) cuts;
-  VS_LIST(uint32_t) cut_of;   /* cut_of[p]: index of the cut in which point p is a corner to be dropped */
-  VS_LIST(uint32_t) key;      /* key[p]: plane that represents plane p and all planes that the grid has split from it */
-  VS_LIST(uint32_t) near;     /* near[p]: for a representative plane p with cuts: its index in `first`; for other
-                               * planes: VS_NONE */
-  VS_LIST(uint32_t) first;    /* first[i]: for representative plane i in `near`, position in `corners` of its first
-                               * corner; corners are sorted by x; an extra element marks the end */
+  VS_LIST(uint32_t) cut_of;   /* cut_of[p]: index of the cut along which the corner at point p is to be dropped */
+  VS_LIST(uint32_t) key;      /* key[p]: number of the plane that represents plane p and all planes that the grid has
+                               * split from the same facet */
+  VS_LIST(uint32_t) near;     /* near[p]: index in the array `first` of plane p, if it is a representative plane and has
+                               * cuts; otherwise VS_NONE */
+  VS_LIST(uint32_t) first;    /* first[i]: position in `corners` of the first corner for the representative plane with
+                               * the index i; corners are sorted by x; an extra element marks the end */
   VS_LIST(placed) corners;
-  VS_LIST(corner) hits;       /* corners of faces before they are sorted into `corners` */
-  VS_LIST(uint8_t) free;      /* free[i]: 1 if the band around cut i contains no other corner */
+  VS_LIST(corner) hits;       /* corners of faces, before they are sorted by plane into `corners` */
+  VS_LIST(uint8_t) free;      /* free[i]: 1 if the band around cut i contains no corner other than the cut's own */
   size_t near_count, room;  /* near_count: number of representative planes with cuts; room: size of this structure in
                              * bytes */
-  bool kept;                /* true if the current round of checks found corners (bends) that must stay */
+  bool kept;                /* true if the current round of checks found bends (corners of a cut) that must stay */
   bool looked;              /* true if the bands around all cuts have been checked; later rounds check only the bands
                              * beside faces that are no longer merged */
   _Atomic bool spoiled;
@@ -148,8 +149,8 @@ static void normal_of(double at[3][3], double n[3]) {
   cross(a, b, n);
 }
 
-/* Computes the middle plane of each sheet (planar facet that the grid has split). Gives up the merging of sheets with
- * corners more than a step away from it. */
+/* Computes the middle plane of each sheet (planar facet that the grid has split). Gives up merging the faces of a sheet
+ * if a corner is more than a grid step away from this plane. */
 static bool measure(vs_result_state *w) {
   const vs_cluster *c = w->c;
   vs_sheets *s = w->sheets;
@@ -184,8 +185,8 @@ static bool measure(vs_result_state *w) {
   return true;
 }
 
-/* Returns true if an end of the seam, an edge between two facets of a sheet, is not a corner of the leaf. If both ends
- * are corners of the leaf, nothing cuts the seam, so it has no bends. */
+/* Returns true if an end of the seam (an edge between two facets of a sheet) is not a corner of a leaf, and so lies on
+ * a cut. Without a cut, the seam causes no bend. */
 static bool is_cut(const vs_result_state *w, uint32_t seam) {
   const vs_use *u = vs_result_use(w, w->edge_first.at[seam]);
   return u->from >= w->c->corner_points || u->to >= w->c->corner_points;
@@ -233,8 +234,8 @@ bool vs_sheets_plan(vs_result_state *w) {
     if (w->lone.at[c->facets.at[f].plane] != f) give_up(w, s->of.at[f]);
     else s->key.at[c->facets.at[f].plane] = c->facets.at[first].plane;
   }
-  /* The sheet and representative plane of each face are stored in arrays, because every round reads them for each edge.
-   * The faces, planes and facets themselves are scattered in memory. */
+  /* Stores the sheet and the representative plane of each face in arrays, because every round reads them for each edge.
+   * Faces, planes and facets are scattered in memory, so reading them is slow. */
   if (!VS_ROOM(w->k, s->of_face.at, s->of_face.room, c->faces.count + 1) ||
       !VS_ROOM(w->k, s->face_key.at, s->face_key.room, c->faces.count + 1))
     return false;
@@ -290,8 +291,8 @@ static bool is_fresh(const vs_result_state *w, uint32_t face) {
   return s != VS_NONE && w->sheets->all.at[s].fresh;
 }
 
-/* Sets n to the unit normal of a face: the outward normal of the facet that the grid has split if its faces are merged,
- * else the normal of the face's plane. */
+/* Sets n to the unit normal of a face. If the face was merged with others of a facet that the grid has split, n is the
+ * outward normal of that facet. */
 static void look(const vs_result_state *w, uint32_t face, double n[3]) {
   uint32_t s = merged_sheet_of(w, face);
   const vs_plane *p = &w->c->planes.all.at[w->c->faces.at[face].plane];
@@ -406,7 +407,7 @@ static int by_place(const void *a, const void *b) {
   return x->at < y->at ? -1 : x->at > y->at ? 1 : x->point < y->point ? -1 : x->point > y->point;
 }
 
-/* Collects the corners of faces in all planes that have cuts with corners to be dropped. */
+/* For all planes that have cuts with corners to be dropped, collects the corners of the faces in these planes. */
 static bool find_near(vs_result_state *w) {
   vs_sheets *s = w->sheets;
   size_t planes = w->c->planes.all.count;
@@ -490,8 +491,8 @@ static bool find_free(vs_kernel *k, void *context, size_t index) {
   return true;
 }
 
-/* Gives up the merging of faces in sheets (split facets) from which it removes no corner. Returns true if a sheet's
- * faces had been merged. */
+/* Gives up the merging of faces in a sheet (planar facet that the grid has split) if no corner of the sheet was
+ * dropped. Returns true if there was such a sheet whose faces had been merged. */
 static bool give_up_idle(vs_result_state *w) {
   bool any = false;
   for (size_t i = 0; i < w->sheets->all.count; i++) {
@@ -513,10 +514,12 @@ bool vs_sheets_check(vs_result_state *w, bool *again) {
   if (!vs_kernel_report(w->k, 0.9)) return false;
   w->c->straightened = dropped;
   if (!check_lines(w, &bends)) return false;
-  if (bends != dropped) vs_sheets_give_up(w); /* If the lines have fewer bends than corners were dropped, some closed
-                                               * border consists of bends alone. None of these belongs to a cut. */
+  if (bends != dropped) vs_sheets_give_up(w); /* If the lines have fewer bends than corners were dropped, the remaining
+                                               * dropped corners form closed borders. These are no cuts, so all merging
+                                               * is given up. */
   *again = give_up_idle(w) || s->kept;
-  if (*again) return true; /* the cuts change in the next round, so the bands around them are checked then */
+  if (*again) return true; /* The cuts change in the next round. Therefore the bands around them are checked in that
+                            * round. */
   if (!find_near(w)) return false;
   if (!VS_ROOM(w->k, s->free.at, s->free.room, s->cuts.count + 1) ||
       !vs_kernel_run(w->k, (s->cuts.count + CUTS - 1) / CUTS, find_free, w))
@@ -599,8 +602,8 @@ static bool holds(const vs_result_state *w, const sheet *s, const uint32_t v[3])
   return fabs(dot(n, s->n)) >= ALIKE * sqrt(dot(n, n));
 }
 
-/* Replaces the longest edge of triangle i, and of its neighbour there, by the other diagonal of the two. Returns false
- * if a new triangle would not face in the direction of the sheet's normal. */
+/* Takes the longest edge of triangle i and the quadrilateral of the two triangles at this edge. Replaces the edge by
+ * the other diagonal. Returns false if a new triangle would not face in the direction of the sheet's normal. */
 static bool turn_edge(const vs_result_state *w, const sheet *s, vs_triangulation *t, size_t i) {
   uint32_t *v = t->triangles.at[i];
   double at[3][3], d[3], longest = 0;

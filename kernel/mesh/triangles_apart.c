@@ -44,9 +44,9 @@ static bool not_folded(vs_vec3 p, vs_vec3 q, vs_vec3 x, vs_vec3 y) { /* returns 
 
 /* ---- two triangles with a common corner ---- */
 
-/* Returns true if the plane perpendicular to the direction from cone b to cone a separates the two cones. A cone is
- * given by the directions of two edges at the common corner. Cones that point away from each other are separated in
- * this way. */
+/* Returns true if the two cones point away from each other, so that the plane perpendicular to the direction from b to
+ * a separates them. A cone is the corner of a triangle, given by the directions of its two edges; both cones have the
+ * same tip. */
 static bool cones_opposed(const vs_vec3 a[2], const vs_vec3 b[2]) {
   vs_vec3 d = vs_v3_sub(vs_v3_add(vs_v3_unit(a[0]), vs_v3_unit(a[1])), vs_v3_add(vs_v3_unit(b[0]), vs_v3_unit(b[1])));
   for (int i = 0; i < 4; i++) {
@@ -57,8 +57,9 @@ static bool cones_opposed(const vs_vec3 a[2], const vs_vec3 b[2]) {
   return true;
 }
 
-static bool cones_apart(const vs_vec3 a[2], const vs_vec3 b[2]) { /* returns true if the cones share only their tip;
-                                                                   * each cone is given by the directions of its two
+static bool cones_apart(const vs_vec3 a[2], const vs_vec3 b[2]) { /* returns true if two cones with the same tip have
+                                                                   * only the tip in common; each cone is the corner of
+                                                                   * a triangle, given by the directions of its two
                                                                    * edges */
   int s = sign3(a[0], a[1], b[0]), t = sign3(b[0], b[1], a[0]);
   if (s && s == sign3(a[0], a[1], b[1])) return true;
@@ -80,8 +81,8 @@ static bool cones_apart(const vs_vec3 a[2], const vs_vec3 b[2]) { /* returns tru
     c[i][1] = axis == 0 ? v.z : axis == 1 ? v.x : v.y;
   }
   int own[2] = { sign2(c[0], c[1]), sign2(c[2], c[3]) };
-  /* Tests lines along each of the four edges, as seen along the axis. A line separates the cones if the cone of its
-   * edge lies on one side and the other cone on the opposite side. */
+  /* Tests the lines along the four edges of the two cones, as seen along the axis. A line separates the cones if they
+   * lie on opposite sides of it. */
   for (int i = 0; own[0] && own[1] && i < 4; i++) {
     int mine = i % 2 ? -own[i / 2] : own[i / 2], other = i < 2 ? 2 : 0;
     if (sign2(c[i], c[other]) == -mine && sign2(c[i], c[other + 1]) == -mine) return true;
@@ -144,8 +145,11 @@ bool vs_triangles_apart(const vs_vec3 a[3], const vs_vec3 b[3], int *count) {
 
 /* ---- all pairs of a mesh ---- */
 
-enum { SERIAL = 10000 /* fewest triangles for threads */, TRIANGLES = 1 << 13, BLOCKS = 512 /* blocks of boxes in a
-                                                                                             * task */ };
+enum {
+  SERIAL = 10000, /* number of triangles below which a single thread works */
+  TRIANGLES = 1 << 13,
+  BLOCKS = 512    /* number of blocks of boxes in one task */
+};
 
 typedef struct {
   const vs_mesh *m;

@@ -9,7 +9,8 @@
 
 #include "kernel/exact/doubles.h"
 
-/* Returns an axis (0, 1 or 2) along which the projection of the triangle has an area; 3 if the triangle has none. */
+/* Returns an axis (0, 1 or 2) along which the projection of the triangle has an area. Returns 3 if the triangle has no
+ * area. */
 static int open_axis(const vs_vec3 *t) {
   for (int axis = 0; axis < 3; axis++)
     if (vs_doubles_turn(axis, t[0], t[1], t[2])) return axis;
@@ -28,8 +29,8 @@ static bool holds(int axis, const vs_vec3 t[3], vs_vec3 p) {
   return true;
 }
 
-/* Returns true if the segment and triangle t have only the segment's end `from` in common. The segment lies in the
- * plane of t. The projection of t along the axis has an area. */
+/* Returns true if the segment leaves triangle t at its end `from`, the only point that the two have in common. The
+ * segment lies in the plane of t. The projection of t along the axis has an area. */
 static bool leaves(int axis, const vs_vec3 t[3], vs_vec3 from, vs_vec3 to) {
   int way = vs_doubles_turn(axis, t[0], t[1], t[2]);
   VS_ASSERT(way != 0);
@@ -61,8 +62,8 @@ static vs_triangle_meeting flat_segment(const vs_vec3 t[3], vs_vec3 p, vs_vec3 q
   return VS_MEET_NOT;
 }
 
-/* Tests the segment from p to q against triangle t. from, to: signs of the sides of the triangle's plane on which p and
- * q lie. */
+/* Tests the segment from p to q against triangle t. from, to: the signs of the determinants that show on which side of
+ * the triangle's plane p and q lie. */
 static vs_triangle_meeting segment(const vs_vec3 t[3], vs_vec3 p, vs_vec3 q, int from, int to) {
   if (from * to > 0) return VS_MEET_NOT;
   if (from == 0 && to == 0) return flat_segment(t, p, q);
@@ -81,8 +82,8 @@ static vs_triangle_meeting worse(vs_triangle_meeting a, vs_triangle_meeting b) {
 
 vs_triangle_meeting vs_triangles_meet(const vs_vec3 a[3], const vs_vec3 b[3]) {
   int of_a[3], of_b[3], shared = 0, over_a[3] = { 0 },
-                        over_b[3] = { 0 }; /* over_a[i]: side of triangle a's plane on which corner i of b lies;
-                                            * over_b[i]: side of b's plane on which corner i of a lies */
+                        over_b[3] = { 0 }; /* over_a[i]: on which side of triangle a's plane corner i of b lies, as 1,
+                                            * -1 or 0; over_b[i]: the same for triangle b's plane and corner i of a */
   VS_ASSERT(!vs_triangle_is_flat(a) && !vs_triangle_is_flat(b));
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 3; j++)

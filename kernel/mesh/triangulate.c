@@ -85,8 +85,9 @@ static bool extend_head(cutter *c, vs_chain *x, uint32_t v) {
   return true;
 }
 
-/* Splits the chain (border of the untriangulated space) above edge `below` at its rightmost corner, which vertex v
- * sees. The edge `below` keeps the lower part, and the edge `above` gets the upper part. The two edges differ. */
+/* Splits the chain above edge `below` at its rightmost corner, which vertex v sees. A chain is the left border of the
+ * space that has no triangles yet. The edge `below` keeps the lower part, and the edge `above`, a different edge, gets
+ * the upper part. */
 static bool split(cutter *c, uint32_t below, uint32_t above, uint32_t v) {
   vs_chain *x = &c->t->chains.at[below], *y = &c->t->chains.at[above];
   uint32_t middle = x->rightmost, copy;
@@ -102,8 +103,8 @@ static bool split(cutter *c, uint32_t below, uint32_t above, uint32_t v) {
   return extend_tail(c, x, v) && extend_head(c, y, v);
 }
 
-/* Returns true if the edges at a vertex are consistent. A path that goes upwards across all of them starts inside the
- * polygon if `under` is true, and ends inside it if `over` is true. */
+/* Returns true if the edges at a vertex bound the polygon consistently. Upwards across all of them, a path starts
+ * inside the polygon if `under` is true, and ends inside it if `over` is true. */
 static bool agree(const vs_boundary *edges, const uint32_t *at, uint32_t count, bool under, bool over) {
   for (uint32_t i = 0; i < count; i++) {
     if ((bool)(edges[at[i]].inside & 2) != under) return false;
@@ -135,8 +136,8 @@ static bool step(cutter *c, const vs_sweep_event *e) {
     if (over && !extend_head(c, &t->chains.at[last], v)) return false;
     if (n) t->chains.at[e->rights[n - 1]] = t->chains.at[last];
     else if (under != over) return VS_BROKEN(c->k, "a face has no border");
-    else if (under) { /* two intervals inside the polygon meet at vertex v: it ends the chain of the lower interval and
-                       * begins that of the upper one */
+    else if (under) { /* vertex v lies between two intervals inside the polygon: it ends the chain of the lower interval
+                       * and begins the chain of the upper one */
       vs_chain *x = &t->chains.at[e->below], *y = &t->chains.at[last];
       vs_chain_node *nodes = t->nodes.at;
       uint32_t second = nodes[y->head].next;
@@ -174,7 +175,7 @@ static bool find_loop(const vs_triangulation *t, uint32_t loop[SMALL], uint32_t 
     loop[i] = sides[at].from;
     for (uint32_t j = 0; j < n; j++) {
       if (sides[j].from != sides[at].to) continue;
-      if (next != n) return false; /* two sides lead away from this corner, so the border touches itself there */
+      if (next != n) return false; /* two sides begin at this corner, so the border touches itself there */
       next = j;
     }
     if (next == n || (next == first) != (i == n - 1)) return false;
@@ -187,8 +188,8 @@ static bool find_loop(const vs_triangulation *t, uint32_t loop[SMALL], uint32_t 
   return i == n;
 }
 
-/* Triangulates a small face of 3 to SMALL sides with a single chain in an array. The triangles are those of the sweep.
- * last: position of the loop's rightmost corner. */
+/* Triangulates a small face of 3 to SMALL sides with one stack instead of a sweep. The triangles are equal to those of
+ * the sweep. last: position of the loop's rightmost corner. */
 static bool cut_loop(cutter *c, const uint32_t *loop, uint32_t last) {
   vs_triangulation *t = c->t;
   const vs_sweep *s = &t->sweep;

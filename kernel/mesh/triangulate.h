@@ -22,7 +22,8 @@ typedef struct {
   VS_LIST(uint32_t) list, scratch, local;
   VS_LIST(vs_boundary) boundary;
   VS_LIST(vs_chain_node) nodes;
-  VS_LIST(vs_chain) chains;            /* chains[e]: border of the untriangulated space directly above edge e */
+  VS_LIST(vs_chain) chains;            /* chains[e]: left border of the space directly above edge e that has no
+                                        * triangles yet */
 } vs_triangulation;
 
 bool vs_plane_triangulate(vs_kernel *k, vs_triangulation *t, const vs_points_table *points, const vs_plane *plane);

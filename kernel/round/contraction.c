@@ -26,8 +26,8 @@ static vs_vec3 place(const vs_rounding *s, uint32_t v) { return s->m->vertices[v
 
 /* ---- sheets that lie on each other ---- */
 
-typedef struct { uint32_t corner[3], triangle; bool odd; } sheet; /* corner: the triangle's corners in ascending order;
-                                                                   * odd: true if this order has the opposite
+typedef struct { uint32_t corner[3], triangle; bool odd; } sheet; /* corner: vertices of the triangle in ascending
+                                                                   * order; odd: true if this order has the opposite
                                                                    * orientation */
 
 static int sheet_order(const void *a, const void *b) {
@@ -82,8 +82,8 @@ static bool cancel_sheets(vs_rounding *s) {
 enum { DETAIL = 16 /* Limit, in units of the last place, above which a contraction loses a detail of the surface. With
                     * 32-bit numbers, it is a millionth of the coordinate. */ };
 
-/* Returns true if the corner `to` is more than DETAIL units off the plane of triangle t, so that moving the triangle's
- * corner there loses a detail. Along a finely divided surface, corners may move farther without loss. */
+/* Returns true if moving the triangle's corner `corner` to the vertex `to` loses a detail: `to` is more than DETAIL
+ * units off the plane of triangle t. Along a finely divided surface, corners may move farther without loss. */
 static bool leaves(const vs_rounding *s, const uint32_t t[3], uint32_t corner, uint32_t to) {
   vs_vec3 n = vs_rounding_normal(place(s, t[0]), place(s, t[1]), place(s, t[2]));
   double off = fabs(vs_v3_dot(n, vs_v3_sub(place(s, to), place(s, corner))));
@@ -96,9 +96,9 @@ static void lose(vs_rounded *out, vs_vec3 at) {
 
 /* ---- uniting of corners ---- */
 
-/* Unites the ends of edges that are shorter than `units` units of the last place, in triangles near intersecting
- * triangles. all: true for all such triangles, false only for triangles whose direction rounding changes. *count:
- * number of united corners. Returns false when memory is out. */
+/* Unites the ends of edges shorter than `units` units of the last place, near triangles that intersect. all: true for
+ * all triangles there; false: only triangles whose direction rounding changes. *count: number of united corners.
+ * Returns false when memory is out. */
 static bool unite(vs_rounding *s, double units, bool all, vs_rounded *out, size_t *count) {
   vs_mesh *m = s->m;
   VS_LIST(uint32_t) parent = { 0 };
@@ -145,8 +145,8 @@ static bool unite(vs_rounding *s, double units, bool all, vs_rounded *out, size_
 
 /* ---- rerouting of edges ---- */
 
-/* A triangle that is too low (a cap). low, high: ends of its longest edge, with low < high; top: its third corner;
- * along: position of the third corner along the longest edge. */
+/* A triangle that is too low (a cap). low, high: vertices at the ends of its longest edge, with low < high; top: its
+ * third vertex; along: position of the third vertex along the longest edge. */
 typedef struct { uint32_t low, high, top; double along; } cap;
 typedef VS_LIST(cap) caps;
 typedef VS_LIST(uint32_t) corners;
@@ -159,8 +159,8 @@ static int cap_order(const void *a, const void *b) {
   return x->top < y->top ? -1 : x->top > y->top;
 }
 
-/* TOPS: greatest number of corners through which one edge is led in one step; LOOP: greatest number of corners of the
- * resulting polygon */
+/* TOPS: greatest number of vertices through which one edge is rerouted in one step; LOOP: greatest number of vertices
+ * of the polygon that results from a triangle */
 enum { TOPS = 16, LOOP = 3 + 3 * TOPS };
 
 static bool find_caps(vs_rounding *s, double units, bool all, caps *to) {
@@ -193,8 +193,8 @@ static bool find_caps(vs_rounding *s, double units, bool all, caps *to) {
   return true;
 }
 
-/* Lists the corners through which the edge from p to q is led, beginning with p. Returns their number. p and q
- * differ. */
+/* Lists the vertices through which the edge from p to q is rerouted, in order from p to q. Returns their number. p and
+ * q differ. */
 static size_t route_of(const caps *all, uint32_t p, uint32_t q, uint32_t *to) {
   uint32_t a = p < q ? p : q, b = p < q ? q : p;
   size_t low = 0, high = all->count, count = 0;
@@ -210,8 +210,8 @@ static size_t route_of(const caps *all, uint32_t p, uint32_t q, uint32_t *to) {
   return count;
 }
 
-/* Cuts a loop in which no corner repeats into triangles around one of its corners. Chooses the corner for which the
- * least height of a triangle is greatest. Returns false when memory is out. */
+/* Cuts a loop in which no vertex repeats into triangles that all have one of its vertices. Chooses the vertex for which
+ * the lowest triangle is highest. Returns false when memory is out. */
 static bool cut_loop(vs_rounding *s, const uint32_t *loop, size_t count, corners *to) {
   size_t from = 0;
   double best = -1;
@@ -231,8 +231,8 @@ static bool cut_loop(vs_rounding *s, const uint32_t *loop, size_t count, corners
   return true;
 }
 
-/* Divides a loop that visits a corner twice into two loops, and cuts these into triangles. Returns false when memory is
- * out. */
+/* Divides a loop that visits a vertex twice into two loops there, and cuts all loops into triangles. Returns false when
+ * memory is out. */
 static bool cut_loops(vs_rounding *s, const uint32_t *loop, size_t count, corners *to) {
   uint32_t open[LOOP];
   size_t n = 0;
@@ -246,8 +246,8 @@ static bool cut_loops(vs_rounding *s, const uint32_t *loop, size_t count, corner
   return cut_loop(s, open, n, to);
 }
 
-/* Replaces triangle t of the mesh by the triangles in `by`: three corners for each triangle, possibly none. Returns
- * false when memory is out. */
+/* Replaces triangle t of the mesh by the triangles in `by`, a list with three vertices for each triangle, or none.
+ * Returns false when memory is out. */
 static bool replace(vs_rounding *s, uint32_t t, const corners *by) {
   vs_mesh *m = s->m;
   size_t more = by->count > 3 ? by->count / 3 - 1 : 0, all = m->triangle_count + more + 1;
@@ -267,9 +267,9 @@ static bool replace(vs_rounding *s, uint32_t t, const corners *by) {
   return true;
 }
 
-/* Removes triangles that are lower than `units` units of the last place, near intersecting triangles. Leads their
- * longest edges through their third corners. If `all` is false, removes only triangles whose direction rounding
- * changes. *count: number of removed triangles. Returns false when memory is out. */
+/* Removes triangles that are lower than `units` units of the last place, near triangles that intersect. Reroutes their
+ * longest edges through their third corners. all: true for all triangles there; false: only triangles whose direction
+ * rounding changes. *count: number of removed triangles. Returns false when memory is out. */
 static bool reroute(vs_rounding *s, double units, bool all, vs_rounded *out, size_t *count) {
   vs_mesh *m = s->m;
   caps found = { 0 };

@@ -8,20 +8,20 @@ typedef enum {
   VS_NUMBERS_DOUBLE,
   VS_NUMBERS_DIGITS /* decimal numbers with 12 significant digits */,
   VS_NUMBERS_SINGLE /* 32-bit floating-point numbers */,
-  VS_NUMBERS_LOOSE /* 32-bit floating-point numbers in a format that stores positions of corners without vertex
-                    * numbers */
+  VS_NUMBERS_LOOSE /* 32-bit floating-point numbers in a format that repeats the positions of the corners for each
+                    * triangle, without vertex numbers */
 } vs_numbers;
 
 typedef struct {
   size_t collapsed;       /* number of edges that were too short for the format and were collapsed */
   size_t flipped;         /* number of edges that were flipped because their triangle was lower than the distance by
                            * which rounding moves its corners */
-  size_t met;             /* number of triangles that intersect other triangles after rounding, as far as doubles can
-                           * decide */
+  size_t met;             /* number of triangles that intersect other triangles after rounding, as far as computation in
+                           * doubles can decide */
   vs_vec3 at;             /* position of the first triangle that intersects another after rounding */
-  size_t met_before;      /* Number of the triangles counted in `met` that intersect before rounding as well, so that
-                           * the format is not the cause. If the format's numbers are finer than the exact mesh, it
-                           * equals `met`. */
+  size_t met_before;      /* Greater than 0 if some triangles counted in `met` intersect before rounding as well, so
+                           * that the format is not the cause. Counts pairs of triangles; for numbers finer than the
+                           * exact mesh, it is set to `met`. */
   size_t lost;            /* number of corners where the repair moved the surface by more than sixteen units of the last
                            * place */
   vs_vec3 lost_at;

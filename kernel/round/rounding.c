@@ -38,8 +38,8 @@ static vs_vec3 corner(const rounding *s, uint32_t v) { return vs_rounding_corner
 
 static bool near(double a, double b, vs_numbers numbers) {
   double d = fabs(a - b), most = fabs(a) > fabs(b) ? fabs(a) : fabs(b);
-  if (d > most * 1e-6) return false; /* Returns early for nearly all edges: units are less than a millionth of the
-                                      * coordinates in every format. */
+  if (d > most * 1e-6) return false; /* Returns early for nearly all edges: in every format, a unit of the last place is
+                                      * less than a millionth of the coordinate. */
   return d == 0 || d < 2 * vs_rounding_unit(most, numbers);
 }
 
@@ -65,8 +65,8 @@ static bool is_neighbour(const rounding *s, uint32_t v, uint32_t other) {
   return false;
 }
 
-/* Marks the triangles beside each triangle so low that rounding may turn it over (vs_rounding_is_noise). If it has
- * turned over, its neighbours may intersect each other, even with equal orientation. */
+/* Marks the neighbours of each triangle that is so low that rounding may turn it over (vs_rounding_is_noise). If it has
+ * turned over, its neighbours may intersect each other, although they face the same way. */
 static void suspect_neighbours(vs_rounding *s) {
   for (size_t i = 0; i < s->look.count; i++) {
     uint32_t t = s->look.at[i];
@@ -79,7 +79,8 @@ static void suspect_neighbours(vs_rounding *s) {
   }
 }
 
-/* Returns true if triangle t has an edge that is shorter than rounding moves its ends. */
+/* Returns true if triangle t has an edge that is shorter than the distance by which rounding may move the edge's
+ * ends. */
 static bool has_short(const rounding *s, uint32_t t) {
   const uint32_t *v = s->m->triangles[t];
   for (int j = 0; j < 3; j++) {
@@ -100,8 +101,9 @@ typedef struct {
   found_some found[VS_PIPELINE_WINDOW];
 } scan;
 
-/* Appends the plane of triangle t, if it is perpendicular to an axis, unless it is the plane that was appended last for
- * this axis. *level: true if the plane is perpendicular to an axis. Returns false when memory is out. */
+/* Appends the plane of triangle t to to->storeys, if it is perpendicular to an axis. Skips it if the last appended
+ * plane for this axis was the same. *level: true if the plane is perpendicular to an axis. Returns false when memory is
+ * out. */
 static bool find_storey(vs_kernel *k, const rounding *s, uint32_t t, vs_storey last[3], found_some *to, bool *level) {
   const uint32_t *v = s->m->triangles[t];
   vs_vec3 a = s->m->vertices[v[0]], b = s->m->vertices[v[1]], c = s->m->vertices[v[2]];
@@ -150,8 +152,8 @@ static int storey_order(const void *a, const void *b) {
   return x->value < y->value ? -1 : x->value > y->value;
 }
 
-/* Merges two adjacent sorted runs of storeys: the run from index `low` to `middle` - 1, and the run from `middle` to
- * `high` - 1. scratch has room for the first run. Neither run is empty. */
+/* Merges two adjacent sorted runs of storeys (planes perpendicular to an axis): the indices from `low` to `middle` - 1,
+ * and from `middle` to `high` - 1. scratch has room for the first run. Neither run is empty. */
 static void merge_storeys(vs_storey *at, vs_storey *scratch, size_t low, size_t middle, size_t high) {
   size_t i = 0, n = middle - low, j = middle, to = low;
   VS_ASSERT(low < middle && middle < high);
@@ -247,8 +249,8 @@ static void begin_round(rounding *s) {
     }
 }
 
-/* Makes the list of triangles around each vertex (its fan), and marks the triangles to test again. Returns false when
- * memory is out. */
+/* Makes, for each vertex, the list of the triangles around it, and marks the triangles to test again. Returns false
+ * when memory is out. */
 static bool index_mesh(rounding *s) {
   const vs_mesh *m = s->m;
   size_t n = m->vertex_count, triangles = m->triangle_count;
@@ -300,9 +302,9 @@ static void take_off(rounding *s, uint32_t v, uint32_t t) {
 
 /* ---- short edges ---- */
 
-/* Returns true if the edge from a to b may be collapsed, by a move of vertex b to vertex a. Every remaining triangle
- * around b must keep its orientation, unless that was arbitrary. The link condition must hold: only the two vertices
- * opposite the edge are neighbours of a and of b. a and b differ. */
+/* Returns true if the edge from a to b may be collapsed by moving vertex b to vertex a. Every remaining triangle around
+ * b must keep its orientation, unless rounding makes it arbitrary anyway. Only the two vertices opposite the edge may
+ * be neighbours of both a and b. a and b differ. */
 static bool allowed(const rounding *s, uint32_t a, uint32_t b) {
   uint32_t common = 0, both = 0;
   vs_vec3 to = s->m->vertices[a];
@@ -315,16 +317,16 @@ static bool allowed(const rounding *s, uint32_t a, uint32_t b) {
       both++;
       continue;
     }
-    if (is_neighbour(s, a, p)) common++; /* Vertex p follows b in only one triangle. Therefore each common neighbour of
-                                          * a and b is counted once, except those in the triangles at the edge. */
+    if (is_neighbour(s, a, p)) common++; /* Exactly one triangle has an edge from b to p. Therefore each common
+                                          * neighbour p of a and b is counted at most once. */
     vs_vec3 before = vs_rounding_normal(s->m->vertices[b], s->m->vertices[p], s->m->vertices[q]),
             after = vs_rounding_normal(to, s->m->vertices[p], s->m->vertices[q]);
     if (vs_v3_dot(before, after) < 0 && !vs_rounding_is_noise(s, other)) return false; /* a triangle that rounding may
                                                                                         * turn over anyway may also turn
                                                                                         * over here */
   }
-  /* In the loop, the corner after b is a in one of the edge's two triangles and p in every other triangle. Each of the
-   * two corners opposite the edge is a neighbour of a, and the loop counts one of them. */
+  /* Each of the two corners opposite the edge is a neighbour of a and b. The loop counts only one of them: the other
+   * follows b in a triangle at the edge, which the loop skips. Therefore `common` must be 1. */
   bool tetrahedron = s->fans.at[a].count == 3 && s->fans.at[b].count == 3; /* the collapse of an edge of a tetrahedron
                                                                             * would leave two triangles that lie on each
                                                                             * other */
@@ -337,9 +339,9 @@ static bool same_side(vs_vec3 n, vs_vec3 a, vs_vec3 b, vs_vec3 c) {
   return vs_v3_dot(n, vs_rounding_normal(a, b, c)) > 0;
 }
 
-/* Removes triangle t, which is lower than the distance by which rounding moves its corners and so may turn over. Its
- * longest edge is replaced by an edge from its third corner into the neighbour at that edge, which is cut in two.
- * Neither new triangle may be as low, or turn over, before or after rounding. t must not be removed already. */
+/* Removes triangle t if it is so low that rounding may turn it over. Replaces its longest edge by an edge from its
+ * third corner into the neighbour at that edge, which is thus cut in two. Returns false if a new triangle would be as
+ * low, or turn over. t is not removed yet. */
 static bool flip(rounding *s, uint32_t t) {
   vs_mesh *m = s->m;
   const uint32_t *v = m->triangles[t];
@@ -392,7 +394,7 @@ static void squeeze(rounding *s) {
   vs_mesh_squeeze(s->m, s->gone.at);
 }
 
-/* Collapses the edge between vertices a and b: b becomes a, and the two triangles at the edge are marked as gone. a and
+/* Collapses the edge between vertices a and b: replaces b by a, and marks the two triangles at the edge as gone. a and
  * b differ. Returns false when memory is out. */
 static bool collapse(rounding *s, uint32_t a, uint32_t b) {
   vs_mesh *m = s->m;
@@ -436,16 +438,16 @@ static bool collapse_round(rounding *s, size_t *done) {
   return true;
 }
 
-/* ---- blades: shells that are too thin ---- */
+/* ---- shells that are too thin for the format's numbers (blades) ---- */
 
 static bool is_blade(const rounding *s, const vs_shell *of) {
   return fabs(of->volume) <= of->area * vs_rounding_unit(of->reach, s->numbers); /* `<=`, not `<`: both sides are 0 for
                                                                                   * a shell that is a single point */
 }
 
-/* Removes shells (connected parts of the surface) that are thinner than two units of the last place everywhere and that
- * rounding bends, because their sides would lie on each other. Keeps them if there is no other shell. A thin plate
- * along the axes stays unchanged, even far from the origin. Returns false when memory is out. */
+/* Removes each shell (connected part of the surface) that is thinner than two units of the last place everywhere, if
+ * rounding bends it. Its sides would lie on each other. Keeps such shells if there are no others. Returns false when
+ * memory is out. */
 static bool drop_blades(rounding *s, vs_rounded *out) {
   vs_mesh *m = s->m;
   bool ok = vs_rounding_find_shells(s);
@@ -540,10 +542,8 @@ static bool round_mesh(vs_rounding *s, vs_rounded *out) {
   ok = ok && vs_rounding_count_met(s, out);
   if (ok && out->met_before > before) before = out->met_before;
   if (ok) squeeze(s);
-  /* Each round contracts the surface more coarsely. From the third round on, it contracts all triangles near contacts.
-   * If this makes other triangles intersect, the rounds continue as long as the number of such triangles decreases. If
-   * a large part of a large mesh intersects, its facets are finer than the format's numbers, and no contraction repairs
-   * this. */
+  /* Each round contracts the surface more coarsely. From the third round on, it contracts all triangles near
+   * intersections. The rounds continue as long as the number of intersecting triangles decreases. */
   for (int round = 0; ok && s->places && out->met && round < CONTRACTIONS; round++) {
     enum { ALL = 2, MANY = 10000, PART = 16 };
     if (out->met > MANY && out->met > m->triangle_count / PART) break;
@@ -559,7 +559,7 @@ static bool round_mesh(vs_rounding *s, vs_rounded *out) {
     if (round > ALL && out->met >= met) break;
   }
   out->met_before = before; /* Contraction may make triangles cross that did not cross in the exact result. Therefore
-                             * the earlier count of intersections before rounding is kept. */
+                             * met_before keeps its value from before the contraction. */
   return ok && (out->collapsed || out->dropped ? drop_vertices(s) : true);
 }
 

@@ -14,8 +14,8 @@ double vs_rounding_unit(double x, vs_numbers numbers) {
   if (x == 0) return 0;
   if (numbers == VS_NUMBERS_DIGITS) return pow(10, floor(log10(fabs(x))) - 11);
   frexp(x, &exponent);
-  enum { SINGLE = 24, DOUBLE = 51 /* number of significant bits; a double has 53, of which two may be lost when
-                                   * coordinates are mapped from the cluster's frame */ };
+  enum { SINGLE = 24, DOUBLE = 51 /* number of significant bits of the numbers; a double has 53, of which two may be
+                                   * lost when coordinates are mapped from the cluster's frame */ };
   return ldexp(1, exponent - (numbers == VS_NUMBERS_SINGLE ? SINGLE : DOUBLE));
 }
 
@@ -69,9 +69,8 @@ static bool too_thin(const vs_rounding *s, uint32_t t, vs_numbers numbers) {
   vs_vec3 a = s->m->vertices[v[0]], b = s->m->vertices[v[1]], c = s->m->vertices[v[2]], ab = vs_v3_sub(b, a),
           bc = vs_v3_sub(c, b), ca = vs_v3_sub(a, c), n = vs_v3_cross(ab, bc);
   double longest = larger(vs_v3_dot(ab, ab), larger(vs_v3_dot(bc, bc), vs_v3_dot(ca, ca))), square = vs_v3_dot(n, n);
-  if (square >= s->coarsest * s->coarsest * longest) return false; /* if the triangle's height is above this bound, it
-                                                                    * is high enough in any format; this holds for
-                                                                    * nearly all triangles */
+  if (square >= s->coarsest * s->coarsest * longest) return false; /* a triangle higher than this bound is high enough
+                                                                    * in any format; nearly all triangles are */
   double most = larger(larger(vs_rounding_reach(a), vs_rounding_reach(b)), vs_rounding_reach(c)),
          least = 2 * vs_rounding_unit(most, numbers);
   return square < least * least * longest;

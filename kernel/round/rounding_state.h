@@ -10,9 +10,9 @@
 
 typedef struct { uint32_t first, count; } vs_fan;
 
-typedef struct { double value; int axis; } vs_storey; /* A storey: a plane perpendicular to an axis that contains
-                                                       * triangles. value: the coordinate along this axis that all its
-                                                       * points have. */
+typedef struct { double value; int axis; } vs_storey; /* A storey is a plane perpendicular to an axis that contains
+                                                       * triangles. value: the coordinate of the plane along this
+                                                       * axis. */
 
 typedef struct {
   vs_kernel *k;
@@ -21,8 +21,8 @@ typedef struct {
   /* True if the format stores positions without vertex numbers. Triangles with two equal corners are then omitted. */
   bool places;
   vs_bounds bounds;
-  double coarsest;         /* two units in the last place of the mesh's greatest coordinate, the largest distance that
-                            * matters */
+  double coarsest;         /* Two units in the last place of the mesh's greatest coordinate: two corners farther apart
+                            * than this are never rounded to one position. */
   VS_LIST(vs_storey) storeys; /* the planes perpendicular to an axis that contain triangles, sorted by axis and value;
                                * empty if two of them are less than two units apart */
   bool level;              /* true if every triangle is perpendicular to an axis, in one of `storeys` */
@@ -35,22 +35,22 @@ typedef struct {
   VS_LIST(uint8_t) listed; /* listed[t]: 1 if triangle t is in `look`; 2 if it is counted among the intersecting
                             * triangles */
   VS_LIST(uint8_t)
-  changed; /* changed[t]: marks of triangle t as bits. VS_CHANGED: it has other corners than in the exact result.
-            * VS_SUSPECT: it is beside a triangle that may have turned over, or at a place where the surface touches
-            * itself. */
+  changed; /* changed[t]: bits of triangle t. VS_CHANGED: the repair has given it other corners than in the exact
+            * result. VS_SUSPECT: it is beside a triangle that may have turned over, or where the surface touches
+            * itself. VS_SEEN: see below. */
   bool searched;           /* true if self_contacts.c has tested all pairs of triangles once */
-  vs_shells shells;        /* connected parts of the mesh, computed when needed; the collapse of an edge does not
-                            * connect shells */
-  VS_LIST(uint8_t) alone;  /* alone[v]: 1 if the shell of vertex v cannot intersect after rounding (stars.h); only in
-                            * the first search, else empty */
+  vs_shells shells;        /* shells (connected parts) of the mesh, computed when needed; they stay valid, because the
+                            * collapse of an edge does not connect two shells */
+  VS_LIST(uint8_t) alone;  /* alone[v]: 1 if the shell of vertex v cannot intersect anything after rounding (stars.h);
+                            * filled only for the first search, empty later */
   VS_LIST(uint8_t) folded; /* folded[v]: 1 if vertex v belongs to two triangles that lie on each other, within some
                             * units of the last place */
   VS_LIST(uint8_t) near_met; /* near_met[v]: 1 if vertex v belongs to a triangle that intersects another; 2 or 3 if it
                               * is one or two triangles away from such a vertex */
 } vs_rounding;
 
-enum { VS_CHANGED = 1, VS_SUSPECT = 2, VS_SEEN = 4 /* VS_SEEN is set together with VS_CHANGED or VS_SUSPECT: a search
-                                                    * has already tested the triangle with this mark */ };
+enum { VS_CHANGED = 1, VS_SUSPECT = 2, VS_SEEN = 4 /* VS_SEEN: since the triangle got its mark VS_CHANGED or VS_SUSPECT,
+                                                    * a search for intersections has tested it */ };
 
 bool vs_rounding_find_shells(vs_rounding *s); /* computes s->shells if it is not computed yet; returns false if memory
                                                * is out or the caller interrupts */
@@ -72,17 +72,17 @@ static inline vs_vec3 vs_rounding_normal(vs_vec3 a, vs_vec3 b, vs_vec3 c) {
   return vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a));
 }
 double vs_rounding_height(vs_vec3 a, vs_vec3 b, vs_vec3 c);
-/* Returns true if rounding changes the direction of triangle t by more than two or three degrees, or makes it
+/* Returns true if rounding changes the direction of triangle t by more than two or three degrees, or makes the triangle
  * vanish. */
 bool vs_rounding_bends(const vs_rounding *s, uint32_t t);
 
-/* Returns the index of the first storey (plane that contains triangles) across the axis whose value is not below
- * `value`. If there is none, returns the index at which it would be inserted. */
+/* Returns the index in s->storeys of the first plane perpendicular to the axis at a coordinate of at least `value`. If
+ * there is none, returns the index at which it would be inserted. */
 size_t vs_rounding_storey(const vs_rounding *s, int axis, double value);
 
-/* Returns true if rounding may turn triangle t over. The triangle is then lower than the distance by which rounding may
- * move its corners, and this changes its direction by more than two or three degrees. Also returns true if the triangle
- * is lower than doubles can represent, because it may have turned over before. */
+/* Returns true if rounding may turn triangle t over: t is lower than the distance by which its corners may move, and
+ * its direction changes by more than two or three degrees. Also returns true if t is lower than doubles can represent,
+ * because it may have turned over before. */
 bool vs_rounding_is_noise(const vs_rounding *s, uint32_t t);
 
 #endif

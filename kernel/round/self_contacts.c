@@ -46,8 +46,9 @@ enum { STEEP = 4, NOT_ITS = 255, NOT_LEVEL = 3, OPEN = 0, LEVEL = 1, RUN = 16, T
 /* A triangle with its normal. Its corners are mostly rounded already. */
 typedef struct {
   uint32_t triangle;
-  vs_vec3 at[3], normal, size; /* at: corners; normal: normal of twice the area; size: for each component of the normal,
-                                * the sum of the products' sizes, of which 1e-14 exceeds any rounding error */
+  vs_vec3 at[3], normal, size; /* at: corners; normal: normal whose length is twice the area; size: for each component
+                                * of the normal, the sum of the sizes of its products; 1e-14 of this exceeds any
+                                * rounding error */
   double low[3], high[3];
   bool flat; /* true if the three corners lie on one line */
 } sheet;
@@ -61,40 +62,39 @@ enum { FOURS = (3 * RUN + 3) / 4 };
 
 typedef struct {
   uint32_t first, first_four, first_place;
-  uint8_t count, fours;          /* count: number of triangles in the run; fours: number of groups of four corners.
-                                  * `places` has three indices of corners for each triangle. */
+  uint8_t count, fours;          /* count: number of triangles in the run; fours: number of groups of four corners */
   bool is_low;                   /* true if the run is one triangle that is lower than some units of the last place */
   uint8_t is_changed;            /* marks (VS_CHANGED ...) of the run's only triangle; 0 if the run has several
                                   * triangles */
-  bool busy;                     /* true for a run that is not perpendicular to an axis, and crosses a plane of runs
-                                  * that are, or is close to one */
-  bool anew;                     /* true if this run is tested against all other runs, because its triangle has changed
-                                  * (see is_anew) */
+  bool busy;                     /* true for a run that is not perpendicular to an axis, if it crosses or nearly touches
+                                  * a plane that contains runs perpendicular to an axis */
+  bool anew;                     /* true if this run must be tested against all other runs, because its triangle has
+                                  * changed (see is_anew) */
   uint8_t level;                 /* axis to which the run is perpendicular: 0 for x, 1 for y, 2 for z; all its corners
                                   * then have the coordinate `value` */
   /* corner of very many triangles that all triangles of the run share, and around which no test is needed (hubs.h);
    * UINT32_MAX: there is none */
   uint32_t hub;
   double value;
-  float normal[3], low, high;    /* interval that contains all corners of the run, enlarged by the margin on both sides:
-                                  * a unit normal, and the lower and upper limit along it */
+  float normal[3], low, high;    /* interval along the run's unit normal that contains all its corners, from `low` to
+                                  * `high`; enlarged by the margin on both sides */
   float height, longest;         /* height: least height of the run's triangles; longest: length of their longest edge;
                                   * in units of the mesh */
 } run;
 
-/* The range of a run's coordinates along each axis. near_low, near_high: whether a second corner is within the margin
- * of the range's low or high end. */
+/* The range of a run's coordinates along each axis. near_low: true if a second corner of the run is within the margin
+ * of the low end of the range; near_high: the same for the high end. */
 typedef struct { double low[3], high[3]; bool near_low[3], near_high[3], any; /* any: true if the run is a single
                                                                                * triangle that is low or has changed,
                                                                                * which is tested against all planes of
                                                                                * runs */ } reach;
 
 typedef struct { VS_LIST(run) at; VS_LIST(vs_bvh_box) boxes; } runs;
-typedef struct { runs kinds[2]; VS_LIST(corners) fours; VS_LIST(uint8_t) places; } made; /* kinds: the runs that a task
-                                                                                          * has made: those not
-                                                                                          * perpendicular to an axis,
-                                                                                          * and those perpendicular to
-                                                                                          * one */
+typedef struct { runs kinds[2]; VS_LIST(corners) fours; VS_LIST(uint8_t) places; } made; /* the runs that a task has
+                                                                                          * made; kinds[OPEN]: those not
+                                                                                          * perpendicular to an axis;
+                                                                                          * kinds[LEVEL]: those
+                                                                                          * perpendicular to an axis */
 typedef struct { uint32_t a, b; bool before; } pair; /* a, b: numbers of two triangles that intersect; before: true if
                                                       * they also intersect before rounding */
 
@@ -104,21 +104,22 @@ typedef struct {
   vs_vec3 middle;
   double step;                   /* length of a step of the boxes' integer coordinates, in units of the mesh */
   double low;                    /* height below which a triangle counts as low */
-  float margin;                  /* length by which the interval of a run is enlarged on both sides; it exceeds the
-                                  * errors of floats */
+  float margin;                  /* length by which the interval of a run is enlarged on both sides, which exceeds the
+                                  * rounding errors of 32-bit numbers */
   made all;
-  VS_LIST(uint32_t) busy;        /* indices of the busy runs: those that cross or nearly touch a plane of runs
-                                  * perpendicular to an axis */
+  VS_LIST(uint32_t) busy;        /* indices of runs that are not perpendicular to an axis, and cross or nearly touch a
+                                  * plane of runs that are */
   VS_LIST(vs_bvh_box) busy_boxes;
-  VS_LIST(reach) reaches;        /* reaches[i]: coordinates of busy run i along each axis */
+  VS_LIST(reach) reaches;        /* reaches[i]: the ranges of coordinates of run number busy[i] */
   vs_hubs around;                /* corners of very many triangles, in the mesh with rounded corners */
-  VS_LIST(uint32_t) hubs;        /* hubs[i]: member `hub` of run number i, counting only runs that are not perpendicular
-                                  * to an axis */
+  VS_LIST(uint32_t) hubs;        /* hubs[i]: the member `hub` of the run with the index i among the runs that are not
+                                  * perpendicular to an axis */
   vs_bvh bvh, busy_bvh;          /* bvh: boxes of all runs that are not perpendicular to an axis; busy_bvh: boxes of
                                   * those in `busy` */
   made found[VS_PIPELINE_WINDOW];
-  struct { VS_LIST(pair) at, folds; } met[VS_PIPELINE_WINDOW]; /* at: pairs of triangles that intersect; folds: pairs
-                                                                * that are folded onto each other, see is_fold */
+  struct { VS_LIST(pair) at, folds; } met[VS_PIPELINE_WINDOW]; /* at: pairs of triangles that intersect; folds: pairs of
+                                                                * triangles that share an edge and are folded onto each
+                                                                * other, see is_fold */
   bool folds;                    /* true if pairs of triangles were found that are folded onto each other */
 } search;
 
@@ -154,7 +155,8 @@ static void load_exact(const vs_rounding *s, uint32_t t, sheet *to) {
   measure(to);
 }
 
-/* Returns true if triangle b is on one side of triangle a's plane, except for corners that a has, too. */
+/* Returns true if all corners of triangle b are on one side of triangle a's plane. Corners that b shares with a do not
+ * count. */
 static bool beside(const sheet *a, const sheet *b) {
   bool above = false, below = false;
   int unsure = 0;
@@ -180,8 +182,8 @@ static bool apart(const sheet *a, const sheet *b) {
 
 /* ---- runs ---- */
 
-/* A triangle for the making of runs. longest, height: squares of its longest edge and of its least height; low: true if
- * it is too low for a run. */
+/* A triangle that is to be added to a run. longest: square of its longest edge; height: square of its least height;
+ * low: true if the triangle is too low to share a run with others. */
 typedef struct { vs_vec3 at[3], normal; vs_bounds box; double longest, height; bool low; } facet;
 
 /* Returns triangle t of the mesh with its normal, box and sizes. */
@@ -219,8 +221,8 @@ static vs_bvh_box box_of(const search *c, const vs_bounds *w) {
                    { (int32_t)high.x + more, (int32_t)high.y + more, (int32_t)high.z + more } };
 }
 
-/* A run (triangles tested together) to which triangles are being added, with its normal. Its list of corners contains
- * nearly all corners only once. */
+/* A run (triangles tested together) while triangles are added to it. Its list of corners contains nearly every corner
+ * only once. */
 typedef struct {
   run r;
   vs_vec3 normal;
@@ -250,8 +252,8 @@ static floats heights(const run *r, const corners *p) {
 
 static double coordinate(vs_vec3 p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
-/* Returns true if the run has corners on both sides of a plane with runs perpendicular to an axis, or within the margin
- * of it. Otherwise it cannot intersect any of these runs. */
+/* Returns true if the run has corners on both sides of a plane that contains runs perpendicular to an axis, or within
+ * the margin of such a plane. Otherwise it cannot intersect any of these runs. */
 static bool is_busy(const search *c, const run *r, const vs_bounds *box, const corners *four) {
   const vs_rounding *s = c->s;
   if (r->is_low || r->is_changed) return true;
@@ -422,13 +424,12 @@ static bool has_edge(const search *c, const run *r, uint32_t p, uint32_t q) { /*
   return false;
 }
 
-/* Returns true if run b moves away from the plane of run a at each common edge or corner. At the end of a's next
- * triangle, its distance must exceed the distance by which rounding may lift a corner. If a has a low triangle, b must
- * be steeper. */
+/* Returns true if run b is steep over the plane of run a: over a distance of a's least height, b rises by more than
+ * rounding may lift a corner. */
 static bool falls_away(const search *c, const run *a, const run *b) {
   float enough = STEEP * (float)c->s->coarsest * b->longest, least = INFINITY;
-  if (a->height * c->margin >= enough) return true; /* the lowest triangle of run a is high enough in nearly all
-                                                     * cases */
+  if (a->height * c->margin >= enough) return true; /* in nearly all cases, the lowest triangle of run a is high
+                                                     * enough */
   const corners *four = c->all.fours.at + b->first_four;
   for (uint32_t i = 0; i < b->fours; i++) {
     floats h = heights(a, &four[i]);
@@ -490,7 +491,7 @@ static void add_place(piece *p, float x, float y, float z) {
   }
 }
 
-/* Adds to the piece the point where the edge from corner i to corner j crosses the plane at `height` over the other
+/* Adds to the piece the point where the edge from corner i to corner j has the given height over the plane of the other
  * run. */
 static void add_through(piece *p, const corners *four, const float *h, uint32_t i, uint32_t j, float height) {
   const corners *a = &four[i / 4], *b = &four[j / 4];
@@ -562,9 +563,8 @@ static bool is_fold(const search *c, const sheet *x, const sheet *y) {
   return shared == 2 && height * height < UNITS * c->s->coarsest * (UNITS * c->s->coarsest) * n;
 }
 
-/* Tests whether triangles x and y intersect after rounding, and records the pair. Also tests whether they touched
- * before rounding, in the repaired mesh. If triangles with changed corners did not touch before, rounding is the
- * cause. */
+/* Tests whether triangles x and y intersect after rounding, and records the pair if they do. Records also whether they
+ * intersected before rounding. For triangles with changed corners that did not, rounding is the cause. */
 static bool try_triangles(looking *l, const sheet *x, const sheet *y) {
   const vs_rounding *s = l->c->s;
   if (is_fold(l->c, x, y) && !VS_PUSH(l->k, l->c->met[l->at].folds, ((pair){ x->triangle, y->triangle, false })))
@@ -578,9 +578,10 @@ static bool try_triangles(looking *l, const sheet *x, const sheet *y) {
   bool before = !apart(&p, &q) && (p.flat || q.flat || vs_triangles_meet(p.at, q.at) != VS_MEET_NOT);
   if (before && meeting == VS_MEET_TOUCH && !vs_triangles_cross_level(x->at, y->at)) return true; /* the triangles
                                                                                                    * touched before
-                                                                                                   * rounding, and after
-                                                                                                   * it they still only
-                                                                                                   * touch */
+                                                                                                   * rounding, and
+                                                                                                   * afterwards they
+                                                                                                   * still touch without
+                                                                                                   * crossing */
   return VS_PUSH(l->k, l->c->met[l->at].at, ((pair){ x->triangle, y->triangle, before }));
 }
 
@@ -629,8 +630,8 @@ static bool reach_of(vs_kernel *k, search *c, const run *r) {
   return VS_PUSH(k, c->reaches, to);
 }
 
-/* Returns true if the run is busy because of the plane at `value` across the axis. A run that is busy only because of
- * other planes does not intersect runs in this plane (see is_busy). */
+/* Returns true if the run may intersect runs in the plane at `value` perpendicular to the axis, because it crosses or
+ * nearly touches this plane. */
 static bool is_busy_at(const search *c, const reach *r, int axis, double value) {
   double low = r->low[axis], high = r->high[axis];
   if (r->any) return true;
@@ -663,8 +664,8 @@ static bool mark_around(vs_rounding *s) {
 
 enum { BLOCKS = 256, QUERIES = 1024 };
 
-/* Number of tasks that test pairs of runs that are not perpendicular to an axis. They come first. The other tasks test
- * runs that are perpendicular to an axis against busy runs. */
+/* Number of tasks that test pairs of runs of which neither is perpendicular to an axis. These tasks come first. The
+ * later tasks test runs perpendicular to an axis against the runs in `busy`. */
 static size_t open_tasks(const search *c) { return ((size_t)vs_bvh_blocks(&c->bvh) + BLOCKS - 1) / BLOCKS; }
 
 static bool look(vs_kernel *k, void *context, size_t index) {
@@ -708,8 +709,8 @@ static bool take(vs_kernel *k, void *context, size_t index) {
   return true;
 }
 
-/* Counts as intersecting the triangles that have no area after rounding, because they lie on edges of other triangles.
- * Such a triangle always forms a run (group of triangles) alone. */
+/* Counts triangles that have no area after rounding as intersecting, because they lie on edges of other triangles. Such
+ * a triangle forms a run (group of triangles tested together) alone. */
 static bool count_flat(vs_kernel *k, const search *c) {
   const runs *open = &c->all.kinds[OPEN];
   for (size_t i = 0; i < open->at.count; i++) {

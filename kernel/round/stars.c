@@ -45,9 +45,9 @@ static uint64_t number_of(uint32_t from, uint32_t to) { /* returns the pseudoran
 
 typedef struct { star *all; uint32_t one; } asking;
 
-static bool stands_alone(void *context, uint32_t other) { /* reports a box that intersects the shell's box; returns
-                                                           * false, which ends the search, if it belongs to another
-                                                           * shell */
+static bool stands_alone(void *context, uint32_t other) { /* called for each box that intersects the shell's box;
+                                                           * returns false, which ends the search, if the box belongs to
+                                                           * another shell */
   asking *a = context;
   if (other == a->one) return true;
   a->all[a->one].is_star = a->all[other].is_star = false;
@@ -71,8 +71,8 @@ static bool fits(star *of, vs_vec3 p, vs_vec3 q, vs_vec3 r) {
   return x > of->least && y > of->least && z > of->least;
 }
 
-/* Excludes shells whose boxes are closer than the margin to another shell's box. Boxes farther apart do not touch in
- * the tree's integer coordinates either. */
+/* Excludes shells whose boxes are closer than the margin to another shell's box. Boxes that are farther apart do not
+ * touch in the tree of boxes, which has rounded coordinates, either. */
 static bool part(vs_rounding *s, star *all, uint32_t count, double margin) {
   VS_LIST(vs_bvh_box) boxes = { 0 };
   vs_bvh bvh = { 0 };
@@ -117,9 +117,9 @@ bool vs_rounding_find_alone(vs_rounding *s, double margin) {
     vs_vec3 c = vs_v3_scale(vs_v3_add(of->box.min, of->box.max), 0.5);
     double size = vs_bounds_diagonal(&of->box) + 2 * s->coarsest,
            reach = fmax(vs_rounding_reach(of->box.min), vs_rounding_reach(of->box.max)) + s->coarsest;
-    of->middle = vs_v3(vs_single(c.x), vs_single(c.y), vs_single(c.z)); /* the middle is rounded to 32-bit numbers, so
-                                                                         * that differences from corners are nearly
-                                                                         * exact */
+    of->middle = vs_v3(vs_single(c.x), vs_single(c.y), vs_single(c.z)); /* rounds the middle to 32-bit numbers, so
+                                                                         * that its differences from corners are
+                                                                         * nearly exact */
     of->least = size * size * (1e-14 * size + 0x1p-50 * reach);
   }
   for (size_t t = 0; ok && t < m->triangle_count; t++) {

@@ -58,8 +58,8 @@ static bool is_level(const vs_rounding *s, uint32_t t) {
   return axis != NOT_LEVEL && in_storey(s, t, axis);
 }
 
-/* A corner of a triangle in a storey (plane across an axis). At its position, triangles in storeys face both ways along
- * an axis. */
+/* A corner of a triangle in a storey (plane perpendicular to an axis). Such entries are made only at positions where
+ * some of these triangles face up along the axis, and others down. */
 typedef struct {
   uint32_t place, triangle; /* place: first vertex at the position of the corner; triangle: number of the triangle */
   uint8_t axis;
@@ -81,8 +81,9 @@ static bool overlap(const vs_rounding *s, uint32_t t, uint32_t u) {
   return !vs_triangle_is_flat(a) && !vs_triangle_is_flat(b) && vs_triangles_meet(a, b) == VS_MEET_CROSS;
 }
 
-/* Tests the triangles of one storey (plane across an axis) around one position, beginning with triangles that face
- * down. If there are very many triangles, marks them without a test. Returns false if interrupted. */
+/* Tests the triangles of one storey (plane perpendicular to an axis) around one position against each other, beginning
+ * with those that face down along the axis. If there are very many triangles, marks them without a test. Returns false
+ * if interrupted. */
 static bool look_around(vs_rounding *s, const level_corner *at, size_t count) {
   enum { MANY = 1 << 12 };
   size_t down = 0;
@@ -92,8 +93,8 @@ static bool look_around(vs_rounding *s, const level_corner *at, size_t count) {
       if (down * (count - down) <= MANY && !overlap(s, at[i].triangle, at[j].triangle)) continue;
       s->changed.at[at[i].triangle] = s->changed.at[at[j].triangle] = VS_SUSPECT;
       if (!vs_kernel_poll(s->k, 1)) return false;
-      if (down * (count - down) > MANY && i) break; /* with too many pairs for a test, all triangles that face up were
-                                                     * marked in the first pass */
+      if (down * (count - down) > MANY && i) break; /* there are too many pairs for a test, and the first pass has
+                                                     * marked all triangles that face up */
     }
   return true;
 }
