@@ -16,11 +16,13 @@ typedef struct {
   const char *purpose;      /* the feature that needs the library, such as "offsets"; it is the subject of error
                              * messages */
 } vs_dynamic_library;
-typedef struct { const char *symbol; size_t offset; /* symbol: name of a function; offset: position of its pointer in
-                                                     * the caller's struct, in bytes */ } vs_dynamic_name;
+typedef struct {
+  const char *symbol; /* name of a library function */
+  size_t offset;      /* position, in the caller's struct, of the pointer to this function, in bytes */
+} vs_dynamic_name;
 
-/* Defines the struct `dynamic_functions` and its table `dynamic_names`, from a macro LIST(F) that consists of rows
- * F(member, symbol, result, parameters). */
+/* Defines the struct `dynamic_functions` and the table `dynamic_names` of its members. LIST(F) is a macro that consists
+ * of rows F(member, symbol, result, parameters), one for each library function. */
 #define VS_DYNAMIC_FUNCTIONS(LIST)                                                                                     \
   typedef struct { LIST(VS_DYNAMIC_MEMBER) } dynamic_functions;                                                        \
   static const vs_dynamic_name dynamic_names[] = { LIST(VS_DYNAMIC_ROW) }
@@ -29,8 +31,9 @@ typedef struct { const char *symbol; size_t offset; /* symbol: name of a functio
 
 extern const vs_dynamic_library vs_json_library; /* the library jansson, which reads JSON in bind/ and cli/ */
 
-/* Loads the library, and sets the `count` function pointers of `names` in the caller's struct. The library stays
- * loaded. Returns false if the library or a function is missing; e is then VS_ERROR_WORKER with the package's name. */
+/* Loads the library. Sets the `count` pointers in the caller's struct that the table `names` describes. The library
+ * stays loaded. Returns false if the library or a function is missing; e is then VS_ERROR_WORKER with the package's
+ * name. */
 bool vs_dynamic_load(const vs_dynamic_library *library, const vs_dynamic_name *names, size_t count, void *functions,
                      vs_error *e);
 

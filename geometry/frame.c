@@ -4,8 +4,7 @@
 
 vs_affine vs_frame_on_axis(vs_vec3 at, vs_vec3 direction) {
   vs_vec3 d = vs_v3_unit(direction);
-  double across = d.x * d.x + d.y * d.y, k; /* k: 1 / (1 + d.z), in two forms; the second form avoids cancellation near
-                                             * -Z */
+  double across = d.x * d.x + d.y * d.y, k; /* k: 1 / (1 + d.z); near d = -Z, a form without cancellation is used */
   vs_vec3 x, y;
   VS_ASSERT(direction.x != 0 || direction.y != 0 || direction.z != 0);
   if (d.z < 0 && across < 1e-24) { /* if d is -Z within rounding errors, the rotation is half a turn about X */

@@ -60,7 +60,7 @@ void vs_scan_word(vs_byte_scan *s, bool lines, char comment, char word[VS_SCAN_W
   word[n] = 0;
 }
 
-/* Sets an error that contains the expected text and the word that was found instead, in printable form. Returns
+/* Sets an error that states the expected text and the word that the file has instead, in printable form. Returns
  * false. */
 static bool scan_refuse(const vs_byte_scan *s, const char *expected, const char *word) {
   char shown[VS_SCAN_WORD];

@@ -177,7 +177,7 @@ bool vs_exr_write(const vs_exr *x, vs_made_bytes *out, vs_error *e) {
   exr_result_t result = call.start(&c, "picture", EXR_WRITE_FILE_DIRECTLY, &how);
   if (result == EXR_ERR_SUCCESS) result = exr_put_header(&call, c, x);
   if (result == EXR_ERR_SUCCESS) result = exr_put_lines(&call, c, x);
-  if (c) { /* closes the file, because the library writes the file's table of chunks only then */
+  if (c) { /* closes the file: only then does the library write the table of chunks into it */
     exr_result_t last = call.finish(&c);
     if (result == EXR_ERR_SUCCESS) result = last;
   }

@@ -57,8 +57,8 @@ static int64_t exr_size(exr_const_context_t c, void *memory) {
 static double exr_half(unsigned bits) {
   uint32_t exponent = bits >> 10 & 31, fraction = bits & 1023, sign = (uint32_t)(bits & 0x8000) << 16;
   if (exponent == 0) return (bits & 0x8000 ? -0x1p-24 : 0x1p-24) * fraction;
-  /* Converts a half-precision number to single precision: the exponent's bias grows by 112, and the fraction by 13
-   * bits. Infinity and NaN have the greatest exponent in both formats. */
+  /* Converts a half-precision number to single precision: adds 112 to the exponent, the difference of the biases, and
+   * 13 zero bits to the fraction. Infinity and NaN have the greatest exponent in both formats. */
   uint32_t wide = sign | (exponent == 31 ? 255 : exponent + 112) << 23 | fraction << 13;
   float value;
   memcpy(&value, &wide, sizeof value);
@@ -89,8 +89,9 @@ typedef struct {
   bool tiled;
   int64_t wide, high;       /* width and height of a chunk in pixels */
   int64_t columns, rows;    /* size of the picture in pixels */
-  exr_place part;           /* rectangle of the picture that the caller wants to read */
-  size_t stride;            /* distance between two rows of a target (array that receives a channel), in numbers */
+  exr_place part;           /* rectangle of the picture to read */
+  size_t stride;            /* distance, in numbers, between the starts of two rows in a target; a target is an array
+                             * that receives a channel */
   vs_exr_target targets[VS_EXR_CHANNELS];
   size_t count;
 } exr_reader;
@@ -144,7 +145,7 @@ static exr_result_t exr_unpack(exr_reader *r, const exr_decode_pipeline_t *d, ex
  * function tries to allocate more memory than zlib needs. If that fails, memory is out; otherwise it decompresses once
  * more. */
 static exr_result_t exr_run(exr_reader *r, exr_decode_pipeline_t *d) {
-  enum { WORK = 1 << 16 }; /* size of a trial allocation in bytes, which is more than zlib needs */
+  enum { WORK = 1 << 16 }; /* size in bytes of a trial allocation; it exceeds the memory that zlib needs */
   exr_result_t result = r->call.run(r->c, 0, d);
   if (result != EXR_ERR_CORRUPT_CHUNK) return result;
   void *volatile probe = malloc(WORK);
@@ -153,8 +154,8 @@ static exr_result_t exr_run(exr_reader *r, exr_decode_pipeline_t *d) {
   return r->call.run(r->c, 0, d);
 }
 
-/* Reads all chunks of the picture. A chunk of scan lines is as wide as the picture and has a fixed number of lines. A
- * tile has a fixed size. Asks the caller after each chunk whether to continue. */
+/* Reads all chunks of the picture. A chunk is either a fixed number of lines or a tile of fixed size. After each chunk,
+ * asks the caller whether to continue. */
 static exr_result_t exr_decode(exr_reader *r, vs_error *e) {
   const dynamic_functions *call = &r->call;
   exr_context_t c = r->c;
@@ -177,8 +178,8 @@ static exr_result_t exr_decode(exr_reader *r, vs_error *e) {
         result = begun ? call->update(c, 0, &chunk, &decoder) : call->begin(c, 0, &chunk, &decoder);
       if (!begun && result == EXR_ERR_SUCCESS) {
         begun = true;
-        result = call->choose(c, 0, &decoder); /* lets the library choose how to decompress; no channel has a target
-                                                * yet, so it copies nothing */
+        result = call->choose(c, 0, &decoder); /* lets the library choose how to decompress; no channel has a
+                                                * destination yet, so the library only decompresses */
         decoder.unpack_and_convert_fn = NULL;
       }
       if (result == EXR_ERR_SUCCESS) result = exr_run(r, &decoder);
@@ -214,8 +215,8 @@ static bool exr_measure(exr_reader *r, const vs_file_bytes *file, exr_result_t *
   }
   r->columns = (int64_t)r->box.max.x - r->box.min.x + 1, r->rows = (int64_t)r->box.max.y - r->box.min.y + 1;
   r->wide = r->tiled ? (int64_t)tile_wide : r->columns, r->high = r->tiled ? (int64_t)tile_high : per_chunk;
-  /* The file has a table of eight bytes for each chunk. If the file is too short for the table of a picture of this
-   * size, the size is invalid, and no memory is allocated for it. */
+  /* A file has a table with eight bytes for each chunk. If the file is too short for the table that a picture of this
+   * size needs, the size is refused, and no memory is allocated. */
   bool sized = r->columns > 0 && r->rows > 0 && r->rows <= VS_RASTER_MOST / r->columns;
   if (sized && (uint64_t)((r->rows - 1) / r->high + 1) > file->size / 8)
     return vs_error_set(e, VS_ERROR_MODEL, NULL,

@@ -1,4 +1,4 @@
-/* Divides faces into shells: faces that share an edge. */
+/* Divides faces into shells: sets of faces that are connected by common edges. */
 #include "geometry/files/face_shells.h"
 
 #include <stdlib.h>
@@ -8,7 +8,7 @@
 #include "model/store/array.h"
 #include "model/store/disjoint.h"
 
-/* A side of a face, between the points low and high. */
+/* A side of a face. low, high: points at its ends, the one with the lower index first. */
 typedef struct { uint32_t low, high, face; } shell_side;
 
 static int compare_sides(const void *a, const void *b) {
@@ -45,7 +45,7 @@ bool vs_face_list_shells(vs_store *s, const vs_face_list *l, uint32_t *shell, un
       vs_unite(shell, sides[i].face, sides[end].face);
     if ((end - i) % 2) open[sides[i].face] = 1;
   }
-  for (uint32_t f = 0; ok && f < n; f++) { /* moves the marks to the shells' roots */
+  for (uint32_t f = 0; ok && f < n; f++) { /* moves the marks of faces in `open` to the first face of each shell */
     uint32_t root = vs_find(shell, f);
     if (open[f] && root != f) open[root] = 1;
   }

@@ -45,8 +45,8 @@ static const char *const jpeg_files[] = { "libjpeg.so.62", "libjpeg.so", NULL };
 #endif
 static const vs_dynamic_library jpeg_library = { jpeg_files, "libjpeg62-turbo", "JPEG pictures" };
 
-/* How errors of libjpeg are handled: libjpeg reports an error by longjmp. After a warning it continues; a complete file
- * causes no warning. */
+/* The error handling that libjpeg gets. After an error it leaves by longjmp; after a warning libjpeg continues. A
+ * complete file causes no warning. */
 typedef struct {
   struct jpeg_error_mgr errors; /* must be the first member, because libjpeg passes only a pointer to it */
   struct jpeg_progress_mgr progress;
@@ -71,7 +71,8 @@ static void jpeg_progress(j_common_ptr j) {
   longjmp(run->out, 1);
 }
 
-/* Memory for a line of the picture, reduced to an eighth. If at is NULL, only the header is read. */
+/* Memory for one line of the picture, which is read at an eighth of its size. If at is NULL, only the header is
+ * read. */
 typedef struct { unsigned char *at; size_t room; } jpeg_line;
 
 /* Reads the picture after a call of setjmp. This is a separate function, because longjmp makes changed local variables
@@ -102,8 +103,8 @@ bool vs_jpeg_read(vs_store *store, const vs_file_bytes *file, vs_jpeg_bytes *out
   if (!vs_dynamic_load(&jpeg_library, jpeg_names, sizeof jpeg_names / sizeof *jpeg_names, &call, e)) return false;
   *out = (vs_jpeg_bytes){ 0 };
   bool ok = true;
-  for (int pass = 0; ok && pass < 2; pass++) { /* the first pass reads only the header, to check the size; the second
-                                                * the whole file */
+  for (int pass = 0; ok && pass < 2; pass++) { /* the first pass reads only the header, to check the picture's size; the
+                                                * second pass reads the whole file */
     struct jpeg_decompress_struct j;
     jpeg_run run = { .said = "" };
     memset(&j, 0, sizeof j);

@@ -5,8 +5,8 @@
 #include "geometry/files/file_bytes.h"
 #include "model/node.h"
 
-/* columns, rows: size of a picture in pixels. count[k][b]: number of pixels whose colour component k has the byte b, in
- * the picture reduced to an eighth of its size. */
+/* columns, rows: size of a picture in pixels. count[k][b]: number of pixels whose colour component k has the value b,
+ * counted in the picture at an eighth of its size. */
 typedef struct { uint32_t columns, rows; uint64_t count[3][256]; } vs_jpeg_bytes;
 
 /* Reads a JPEG file that is in memory. Returns false if it is truncated, broken or too large. */

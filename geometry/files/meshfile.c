@@ -130,8 +130,8 @@ static bool read_obj_face(vs_byte_scan *s, vs_face_list *out) {
     long long i = strtoll(word, &end, 10);
     if (end == word || (*end && *end != '/') || i == 0)
       return vs_scan_fail(s, "expected the number of a point, got \"%.32s\"", word);
-    if (i < 0) i += (long long)out->point_count + 1; /* a negative index counts backwards: -1 means the point that was
-                                                      * read last */
+    if (i < 0) i += (long long)out->point_count + 1; /* a negative index counts backwards: -1 is the point that was read
+                                                      * last */
     if (i < 1 || i > (long long)UINT32_MAX)
       return vs_scan_fail(s, "the face refers to point %.32s, but there are %zu so far", word, out->point_count);
     if (!face_list_memory(s, vs_face_list_corner(out, (uint32_t)(i - 1)))) return false;
@@ -150,7 +150,7 @@ static bool read_obj(vs_byte_scan *s, vs_face_list *out) {
       if (!vs_scan_point(s, false, '#', &p) || !face_list_memory(s, vs_face_list_point(out, p))) return false;
     } else if (!strcmp(word, "f")) {
       if (!read_obj_face(s, out)) return false;
-    } /* other lines, with normals, textures, groups, materials and curves, are ignored */
+    } /* ignores other lines: normals, textures, groups, materials and curves */
     if (!vs_scan_poll(s)) return false;
   }
   return true;
@@ -158,8 +158,8 @@ static bool read_obj(vs_byte_scan *s, vs_face_list *out) {
 
 /* ---- OFF ---- */
 
-/* Reads an OFF file: the words [ST][C][N]OFF, the numbers of points, faces and edges, then the points and the faces.
- * Colours and other numbers may follow each point. */
+/* Reads an OFF file. It begins with the word OFF, perhaps after the letters ST, C or N, and the numbers of points,
+ * faces and edges; the points and the faces follow. Colours and other numbers may follow each point. */
 static bool read_off(vs_byte_scan *s, vs_face_list *out) {
   char word[VS_SCAN_WORD];
   int64_t points, faces, edges, corners, index;
@@ -193,7 +193,7 @@ static bool read_off(vs_byte_scan *s, vs_face_list *out) {
                             (long long)index, (long long)points);
       if (!face_list_memory(s, vs_face_list_corner(out, (uint32_t)index))) return false;
     }
-    vs_scan_next_line(s); /* skips the rest of the line, a colour of the face */
+    vs_scan_next_line(s); /* skips the rest of the line, which is a colour of the face */
     if (!face_list_memory(s, vs_face_list_close(out)) || !vs_scan_poll(s)) return false;
   }
   return true;

@@ -7,26 +7,26 @@
 #include "model/long_work.h"
 #include "model/node.h"
 
-/* A list of points and faces. Face f has the corners corners[starts[f]] to corners[starts[f + 1] - 1]. These are at
- * least three indices of points, from 0. {0} is an empty list. */
+/* A list of points and faces. Face f has the corners corners[starts[f]] to corners[starts[f + 1] - 1]: three or more
+ * indices of points, counted from 0. {0} is an empty list. */
 typedef struct {
   vs_vec3 *points;
-  uint32_t *starts, *corners; /* starts: face_count + 1 elements, or NULL if there is no face; corners: see above */
+  uint32_t *starts, *corners; /* starts: face_count + 1 elements, or NULL if there is no face; corners: indices of
+                               * points, face by face */
   size_t point_count, point_room, face_count, start_room, corner_count, corner_room;
 } vs_face_list;
 void vs_face_list_free(vs_face_list *l);
 bool vs_face_list_point(vs_face_list *l, vs_vec3 p);      /* adds the point p; returns false when memory is out */
-bool vs_face_list_corner(vs_face_list *l, uint32_t point); /* adds a corner, the point with this index, to the face that
-                                                            * is being built; returns false when memory is out */
+bool vs_face_list_corner(vs_face_list *l, uint32_t point); /* adds the point with this index as a corner to the face
+                                                            * that is being built; returns false when memory is out */
 /* Ends the face that is being built. Drops it if it has fewer than three corners. Returns false when memory is out. */
 bool vs_face_list_close(vs_face_list *l);
 
 /* Returns true if the name ends in .stl, .ply, .obj or .off. */
 bool vs_mesh_file_is(const char *name);
-/* Reads a mesh file that is in memory; the ending of its name determines the format. Error messages contain the line
- * (of text files) or the byte, the expected text and the text that was found. The numbers of points and faces are
- * checked against the file's size before memory is allocated for them. *out is empty at the call. The caller frees it,
- * also after a failure. */
+/* Reads a mesh file that is in memory; the ending of its name determines the format. Error messages state the line or
+ * byte, the expected text, and the text in the file. The numbers of points and faces are checked against the file's
+ * size before memory is allocated. *out is empty at the call, and the caller frees it, also after a failure. */
 bool vs_mesh_file_read(const vs_file_bytes *file, vs_poller poll, vs_face_list *out, vs_error *e);
 /* Reads a file as vs_mesh_file_read does, but accepts a file without faces: a cloud of points. nowhere: true if points
  * with coordinates that are not finite are kept, because scanners write such points. */

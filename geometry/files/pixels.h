@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-/* Three bytes of sRGB for each pixel, in rows from the top. */
+/* Three bytes for each pixel: red, green and blue of sRGB; row by row from the top. */
 typedef struct { unsigned char *rgb; uint32_t columns, rows; } vs_pixels;
 
 #endif

@@ -90,7 +90,7 @@ static bool ply_header(vs_byte_scan *s, ply_form *form, ply_element *elements, s
       ++*count;
     } else if (!strcmp(word, "property")) {
       if (!ply_header_property(s, *count ? &elements[*count - 1] : NULL)) return false;
-    } /* comment and obj_info lines are ignored: they contain texts by the file's author */
+    } /* ignores the file's comment and obj_info lines */
   }
   if (!formed) return vs_scan_fail(s, "the header names no format");
   vs_scan_next_line(s);
@@ -193,7 +193,7 @@ bool vs_ply_read(vs_byte_scan *s, vs_face_list *out) {
   if (!ply_header(s, &form, elements, &count)) return false;
   for (size_t i = 0; i < count; i++) {
     ply_element *e = &elements[i];
-    size_t least = 0, roles = 0; /* least: smallest possible size of an element in bytes */
+    size_t least = 0, roles = 0; /* least: smallest possible size of one element of this kind, in bytes */
     for (size_t k = 0; k < e->properties; k++) {
       least += form == PLY_WORDS ? 1 : ply_width[e->at[k].list ? e->at[k].count_type : e->at[k].type];
       roles += e->at[k].role != PLY_OTHER;

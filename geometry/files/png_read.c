@@ -13,7 +13,7 @@
 #include "geometry/files/raster.h"
 
 /* Greatest number of bytes that deflate compresses to one byte. If the file is too short for a picture of the stated
- * size, the size is invalid, and no memory is allocated for it. */
+ * size, the size is refused, and no memory is allocated. */
 enum { DEFLATE_MOST = 1032 };
 
 typedef struct {
@@ -87,7 +87,7 @@ bool vs_png_read(vs_store *store, const vs_file_bytes *file, vs_png_pixels *out,
                  (out->deep ? PNG_FORMAT_FLAG_LINEAR : 0u);
   read = read && image.width == out->columns && image.height == out->high && call.finish(&image, NULL, out->rows, 0,
                                                                                          NULL);
-  /* libpng reports that memory is out by the messages "out of memory" and "insufficient memory". */
+  /* libpng says in its message, "out of memory" or "insufficient memory", that memory is out */
   if (ok && !read && strstr(image.message, "memory")) ok = vs_error_memory(e, NULL);
   else if (ok && !read)
     ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: %s", file->name,

@@ -6,8 +6,8 @@
 #include "model/node.h"
 
 typedef struct {
-  unsigned char *rows; /* numbers of all channels of each pixel, in rows; bytes, or if `deep` is true 16-bit numbers in
-                        * this machine's byte order */
+  unsigned char *rows; /* numbers of the pixels, row by row, with all channels of a pixel together; if `deep` is true,
+                        * 16-bit numbers in this machine's byte order, else bytes */
   size_t room;
   uint32_t columns, high;
   unsigned channels;
@@ -16,7 +16,8 @@ typedef struct {
 
 /* Reads a PNG file that is in memory. The caller returns out->rows to the store; it is NULL after a failure. */
 bool vs_png_read(vs_store *store, const vs_file_bytes *file, vs_png_pixels *out, vs_error *e);
-/* Returns the number of a pixel in a channel, scaled to 0 to 1. The indices must be within the picture. */
+/* Returns the number of a pixel in one channel, scaled to 0 to 1. The pixel and the channel must be within the
+ * picture. */
 double vs_png_at(const vs_png_pixels *p, size_t pixel, unsigned channel);
 
 #endif

@@ -43,9 +43,9 @@ typedef struct {
   jmp_buf failed;
 } png_sink;
 
-/* Returns the sink to which libpng writes. A callback gets only libpng's structure, and this file has no global
- * variables. Therefore this function loads the library again to find the sink, which takes some microseconds; a picture
- * has some tens of blocks. */
+/* Returns the sink (destination of the bytes) to which libpng writes. libpng's callbacks get only libpng's structure.
+ * Therefore this function loads the library again to read the sink from that structure. This takes some microseconds,
+ * some tens of times for a picture. */
 static png_sink *png_sink_of(png_structp png) {
   struct { void *(*sink)(png_const_structp); } call = { NULL };
   static const vs_dynamic_name name = { "png_get_error_ptr", 0 };
@@ -75,8 +75,8 @@ static void png_take(png_structp png, unsigned char *bytes, size_t count) {
   made->size += count;
 }
 
-/* Writes the picture as a PNG file into the sink. Returns false and sets the sink's message on failure. After a
- * longjmp, local variables may be indeterminate; only the sink is read then. */
+/* Writes the picture as a PNG file into the sink s, which receives its bytes. Returns false and sets the sink's message
+ * on failure. After a longjmp, only the sink is read, because local variables may be indeterminate. */
 static bool png_rows(png_sink *s, const vs_pixels *picture) {
   const dynamic_functions *call = &s->call;
   if (setjmp(s->failed) != 0) return false;

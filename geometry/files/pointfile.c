@@ -27,7 +27,7 @@ bool vs_point_file_is(const char *name) { return is_text(name) || ends_in(name, 
 
 /* ---- text ---- */
 
-enum { LINE_NUMBER = 64 }; /* greatest length in bytes of a number in a line, with its NUL */
+enum { LINE_NUMBER = 64 }; /* greatest length of a number in a line, in bytes with its NUL */
 
 /* Reads a number at *at, before end, and the separator after it: blanks, a comma or a semicolon. Moves *at past both.
  * Returns false if there is no number. */
@@ -82,7 +82,8 @@ static double las_real(const unsigned char *at) {
   return d;
 }
 
-/* Positions of members in the header of the format's versions 1.0 to 1.4, in bytes from the file's beginning. */
+/* Positions of the header's members in bytes from the beginning of a .las file, for versions 1.0 to 1.4 of the
+ * format. */
 enum { LAS_MINOR = 25, LAS_HEADER_SIZE = 94, LAS_DATA = 96, LAS_FORMAT = 104, LAS_RECORD = 105, LAS_COUNT = 107,
        LAS_SCALE = 131, LAS_OFFSET = 155, LAS_LEAST = 227, LAS_LONG_COUNT = 247, LAS_LONG_LEAST = 375 };
 

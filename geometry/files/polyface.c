@@ -47,7 +47,8 @@ typedef struct { uint32_t low, high, face; bool forward; } vs_side; /* low, high
                                                                      * forward: true if the face runs along the side
                                                                      * from low to high */
 
-static int side_compare(const void *a, const void *b) { /* compares sides with one low end, for qsort */
+static int side_compare(const void *a, const void *b) { /* compares two sides with equal low ends by their high ends,
+                                                         * for qsort */
   const vs_side *p = a, *q = b;
   if (p->high != q->high) return p->high < q->high ? -1 : 1;
   if (p->face != q->face) return p->face < q->face ? -1 : 1;
@@ -71,8 +72,8 @@ static bool sides_sort(vs_store *s, vs_side *sides, const vs_polygons *faces, vs
     for (size_t i = 2; !pass && i < points + 2; i++) at[i] += at[i - 1];
   }
   bool ok = true;
-  for (size_t p = 0; ok && p < points; p++) { /* the elements of `at` have moved during counting, so that at[p] is now
-                                               * the index of point p's first side */
+  for (size_t p = 0; ok && p < points; p++) { /* counting has moved the elements of `at`: now at[p] is the index of
+                                               * point p's first side */
     uint32_t low = at[p], count = at[p + 1] - low;
     enum { FEW = 16 };
     if (count > FEW) qsort(sides + low, count, sizeof *sides, side_compare);
@@ -107,17 +108,16 @@ static void agreement_free(vs_agreement *g) {
   free(g->seen);
 }
 
-/* Sets *agreed to true if each edge has two faces that contain it once in each direction. The orientation then needs no
- * further check. For each low end, it sorts the other ends of the edges with their directions, and expects pairs of
- * opposite directions. The test is quick and suffices for most meshes; *agreed may be false although the faces agree.
- * Returns false when memory is out or the run is interrupted. */
+/* Sets *agreed to true if each edge has exactly two faces that contain it in opposite directions; the orientation then
+ * needs no further check. The test is quick and suffices for most meshes: *agreed may be false although the faces
+ * agree. Returns false when memory is out or the run is interrupted. */
 static bool polyface_agreed(vs_store *s, const vs_polygons *faces, bool *agreed, vs_error *e) {
   enum { FEW = 32 };
   const uint32_t *starts = faces->starts, *corners = faces->corners;
   size_t points = faces->point_count, n = starts[faces->face_count];
   *agreed = false;
   if (n == 0 || points > UINT32_MAX / 2) return true;
-  /* ends: for each side, 2 * its high end, plus 1 if the side runs from high to low */
+  /* ends: for each side, 2 * its end with the higher number, plus 1 if the side runs from this end */
   uint32_t *at = vs_zeros(points + 2, sizeof *at), *ends = vs_fresh(n, sizeof *ends);
   bool ok = (at && ends) || vs_error_memory(e, NULL);
   for (int pass = 0; ok && pass < 2; pass++) {
@@ -173,7 +173,7 @@ static bool polyface_agree(vs_store *s, vs_agreement *g, const vs_polygons *face
     size_t end = i + 1;
     while (end < n && g->sides[end].low == g->sides[i].low && g->sides[end].high == g->sides[i].high) end++;
     for (size_t k = i; k < end; k++) g->mate[k] = end - i == 2 ? (uint32_t)(k == i ? i + 1 : i) : UINT32_MAX;
-    if (end - i != 2) { /* an edge of more than two faces may belong to a closed mesh, if all faces already agree */
+    if (end - i != 2) { /* an edge of more than two faces belongs to a closed mesh only if all faces already agree */
       size_t forward = 0;
       for (size_t k = i; k < end; k++) forward += g->sides[k].forward;
       if (forward * 2 != end - i) *closed = false;
@@ -212,8 +212,9 @@ static bool polyface_agree(vs_store *s, vs_agreement *g, const vs_polygons *face
   return true;
 }
 
-/* Sets *flat to true if no shell of the mesh encloses a volume above `least`: the mesh consists of pairs of coincident
- * faces. It is also true if the volumes of shells cancel. Returns false when memory is out. */
+/* Sets *flat to true if no part of the mesh whose triangles common corners connect encloses a volume above `least`.
+ * Such a mesh consists of pairs of coincident faces, or the volumes within each part cancel. Returns false when memory
+ * is out. */
 static bool mesh_is_flat(const vs_mesh *m, double least, bool *flat) {
   uint32_t n = (uint32_t)m->vertex_count, *shell = vs_fresh((size_t)n + 1, sizeof *shell);
   double *volume = vs_zeros((size_t)n + 1, sizeof *volume);

@@ -7,7 +7,7 @@
 #include "model/node.h"
 
 /* Faces over points; the caller owns the arrays. Face f has the corners corners[starts[f]] to corners[starts[f + 1] -
- * 1], which are indices of points from 0. starts has face_count + 1 elements. */
+ * 1], which are indices of points, counted from 0. starts has face_count + 1 elements. */
 typedef struct {
   const vs_vec3 *points;
   size_t point_count;
@@ -23,15 +23,14 @@ static inline vs_polygons vs_polygons_of(const vs_face_list *l) {
 /* Sets place[i] to the index of the first point with the coordinates of point i. Returns false when memory is out. */
 bool vs_polyface_merge(const vs_vec3 *points, size_t count, uint32_t *place);
 
-/* Sets turned[f] to 1 for faces that must be turned to agree with the first face of their shell. The caller has set all
- * elements to 0. *closed: true if each edge then occurs as often in one direction as in the other. Equal points must
- * have one index, because coordinates are not compared. s: the store whose caller may interrupt the work, or NULL.
- * Returns false when memory is out or the run is interrupted. */
+/* Sets turned[f] to 1 for faces that must be reversed to agree with the first face of their shell; all elements are 0
+ * at the call. *closed: true if each edge then occurs equally often in both directions. Points are compared by index,
+ * not by coordinates. Returns false when memory is out or the caller of the store s, which may be NULL, interrupts. */
 bool vs_polyface_orient(vs_store *s, const vs_polygons *faces, unsigned char *turned, bool *closed, vs_error *e);
 
 /* Makes a node of the faces. Equal points become one point. Drops faces with fewer than three different corners, and
- * turns faces that disagree with their neighbours. If the solid is inside out, turns all faces. Without faces, returns
- * the empty node. Returns NULL and sets e on failure. */
+ * reverses faces that disagree with their neighbours, or all faces if the solid is inside out. If there are no faces,
+ * returns the empty node. Returns NULL and sets e on failure. */
 vs_node *vs_polyface_make(vs_store *s, const vs_polygons *faces, vs_error *e);
 
 /* Makes a node as vs_polyface_make does. If it computes the node's triangles, appends them to mesh, with the index of

@@ -1,4 +1,5 @@
-/* Chooses the reader of a picture by the file's first bytes, and contains the code that the readers share. */
+/* Chooses the reader of a picture by the file's first bytes, and contains the code that the PNG and EXR readers
+ * share. */
 #include "geometry/files/raster.h"
 
 #include <string.h>

@@ -9,17 +9,16 @@
 enum { VS_RASTER_MOST = 1 << 26 }; /* greatest number of pixels of a picture */
 
 typedef struct {
-  double *at; /* numbers of the pixels, in rows from the top: of a PNG file 0 (black) to 1 (white), of an EXR file the
-               * stored numbers */
+  double *at; /* one number for each pixel, row by row from the top: 0 (black) to 1 (white) for a PNG file, the stored
+               * numbers for an EXR file */
   uint32_t columns, rows;
   vs_store *store; /* store whose memory `at` uses */
 } vs_raster;
 void vs_raster_free(vs_raster *r);
 
-/* Reads a picture that is in memory; its first bytes determine the format. The number of a pixel is its grey value, or
- * for colours the luminance (Rec. 709) of the stored numbers. In an EXR file it is the channel Y, else the only
- * channel, else the luminance of R, G and B. *out needs no initialisation, and is empty after a failure. The libraries
- * are loaded at their first use. */
+/* Reads a picture that is in memory; its first bytes determine the format. The number of a pixel is its grey value; for
+ * a colour, its luminance (Rec. 709). An EXR file is read from the channel Y, else from its only channel, else from R,
+ * G and B. *out needs no initialisation, and is empty after a failure. */
 bool vs_raster_read(vs_store *store, const vs_file_bytes *file, vs_raster *out, vs_error *e);
 
 /* Returns true if a picture of this size can be read. Otherwise sets e to a message with the greatest number of

@@ -20,8 +20,8 @@ bool vs_face_list_compact(vs_face_list *l) {
   bool ok = place && number && vs_polyface_merge(l->points, l->point_count, place);
   if (ok) memset(number, 0xFF, (l->point_count + 1) * sizeof *number);
   for (size_t c = 0; ok && c < l->corner_count; c++) number[place[l->corners[c]]] = 0;
-  for (uint32_t i = 0; ok && i < l->point_count; i++) /* removes the points that no face has; the others keep their
-                                                       * order */
+  for (uint32_t i = 0; ok && i < l->point_count; i++) /* removes the points that are in no face; the remaining points
+                                                       * keep their order */
     if (number[i] != UINT32_MAX) {
       l->points[count] = l->points[i];
       number[i] = count++;
@@ -42,8 +42,8 @@ static int side_compare(const void *a, const void *b) {
   return p->face < q->face ? -1 : p->face > q->face;
 }
 
-/* Returns the sides of all faces, sorted by their ends. Omits sides of length 0. *count: their number. Returns NULL
- * when memory is out. */
+/* Returns the sides of all faces, sorted by their two ends. Omits sides of length 0. *count: number of sides. Returns
+ * NULL when memory is out. */
 static repair_side *list_sides(const vs_face_list *l, size_t *count) {
   repair_side *sides = vs_fresh(l->corner_count + 1, sizeof *sides);
   *count = 0;
@@ -56,8 +56,8 @@ static repair_side *list_sides(const vs_face_list *l, size_t *count) {
   return sides;
 }
 
-/* Returns the index after the last side of the edge to which side number `at` belongs. *over: number of the edge's
- * sides that run forward minus the number of those that run backward. */
+/* Returns the index after the last side of an edge; `at` is the index of one of its sides. *over: number of sides that
+ * run along the edge minus the number that run against it. */
 static size_t edge_end(const repair_side *sides, size_t count, size_t at, long *over) {
   size_t end = at;
   VS_ASSERT(at < count);
@@ -75,7 +75,8 @@ bool vs_face_list_open(vs_store *s, const vs_face_list *l, vs_open_edges *out, v
   bool closed, ok = place && number && turned && vs_polyface_merge(l->points, l->point_count, place);
   *out = (vs_open_edges){ 0 };
   vs_error why = { VS_ERROR_NONE, NULL, "" };
-  /* The faces are prepared as vs_polyface_make does: equal points become one, and neighbours agree. */
+  /* Prepares the faces as vs_polyface_make does: equal points become one point, and faces are reversed to agree with
+   * their neighbours. */
   for (uint32_t f = 0; ok && f < l->face_count; f++) {
     for (uint32_t c = l->starts[f]; ok && c < l->starts[f + 1]; c++)
       ok = vs_face_list_corner(&own, place[l->corners[c]]);
@@ -119,9 +120,9 @@ static size_t weld_slot(const uint32_t *slots, size_t mask, const weld_cell *cel
   return at;
 }
 
-/* Sets place[i] to the first point within `reach` of point i, or to i if there is none. Cells of the grid are twice
- * as wide as `reach`, so such a point is in one of at most eight cells. *welded: number of points with an earlier
- * point. */
+/* Sets place[i] to the first point within `reach` of point i, or to i if there is none. The points are sorted into grid
+ * cells twice as wide as `reach`, so only eight cells are searched. *welded: number of points that were given an
+ * earlier point. */
 static bool weld(const vs_face_list *l, double reach, uint32_t *place, size_t *welded) {
   size_t room = 16;
   while (room < l->point_count * 2) room *= 2;
@@ -159,8 +160,8 @@ static bool weld(const vs_face_list *l, double reach, uint32_t *place, size_t *w
 
 /* ---- removal of faces ---- */
 
-/* Removes corners of a face that repeat their neighbour. Returns the number of remaining corners. With fewer than
- * three, the face vanishes. */
+/* Removes corners of a face that repeat the corner before them. Returns the number of remaining corners; with fewer
+ * than three, the face vanishes. */
 static uint32_t squeeze(uint32_t *at, uint32_t count) {
   uint32_t n = 0;
   for (uint32_t i = 0; i < count; i++) {
@@ -200,8 +201,8 @@ static int same_ring(const uint32_t *a, const uint32_t *b, uint32_t n) {
   return same ? 1 : back ? -1 : 0;
 }
 
-/* Keeps only the faces f with keep[f], and removes repeated corners from each. Adds the number of removed faces to
- * *dropped. */
+/* Keeps only the faces f for which keep[f] is not 0, and removes repeated corners from each. Adds the number of removed
+ * faces to *dropped. */
 static void keep_faces(vs_face_list *l, const unsigned char *keep, size_t *dropped) {
   uint32_t corners = 0, faces = 0, from = l->face_count ? l->starts[0] : 0;
   for (uint32_t f = 0; f < l->face_count; f++) {
@@ -237,7 +238,7 @@ static bool drop_faces(vs_face_list *l, size_t *dropped) {
         if (!keep[keys[j].face]) continue;
         int same = same_ring(l->corners + l->starts[keys[i].face], l->corners + l->starts[keys[j].face], keys[i].count);
         if (same) keep[keys[j].face] = 0;
-        if (same < 0) { /* two faces with opposite orientation are a sheet without thickness, so both are removed */
+        if (same < 0) { /* two faces with equal corners and opposite orientation enclose nothing, so both are removed */
           keep[keys[i].face] = 0;
           break;
         }
@@ -252,8 +253,8 @@ static bool drop_faces(vs_face_list *l, size_t *dropped) {
 
 /* ---- closing of holes ---- */
 
-/* Covers the loop `ring` of n >= 3 points with triangles. Their outer edges have the direction of the ring. Returns
- * false when memory is out. */
+/* Covers the loop `ring`, which has n >= 3 points, with triangles. The triangles contain the loop's edges in the
+ * direction of the loop. Returns false when memory is out. */
 static bool cover(vs_face_list *l, const uint32_t *ring, size_t n) {
   vs_mesh m = { 0 };
   vs_vec2 *flat = vs_fresh(n, sizeof *flat);
@@ -305,8 +306,8 @@ static bool close_holes(vs_face_list *l, vs_repair_notes *notes) {
     for (size_t i = 0; i <= l->point_count; i++) first[i + 1] += first[i];
     memset(seen, 0xFF, (l->point_count + 1) * sizeof *seen);
   }
-  /* Follows missing sides. When the walk reaches a point again, the sides since the first visit to this point form a
-   * loop. first[p] is the index of the next unused side that leaves point p. */
+  /* Walks along missing sides. When the walk reaches a point for the second time, the sides since the first time form a
+   * loop. first[p]: index of the next unused side that begins at point p. */
   size_t length = 0;
   for (size_t start = 0; ok && start < missing; start++) {
     uint32_t p = at[start].from;
@@ -323,8 +324,8 @@ static bool close_holes(vs_face_list *l, vs_repair_notes *notes) {
         if (!ok) break;
       }
       uint32_t next = first[p];
-      if (next >= missing || at[next].from != p) break; /* no unused side leaves this point, so the walk has returned to
-                                                         * its start */
+      if (next >= missing || at[next].from != p) break; /* no unused side begins at this point, so the walk has returned
+                                                         * to its start */
       first[p]++;
       seen[p] = (uint32_t)length;
       ring[length++] = p;
@@ -405,8 +406,8 @@ static bool turn_shells(vs_store *store, vs_face_list *l, size_t *turned, vs_err
       if (!ok) break;
       if (other == s) continue;
       face_volume(l, f, o, &part);
-      angle += volume[other] < 0 ? -part : part; /* adds the solid angle of the other shell, with the sign that it has
-                                                  * if that shell faces outwards */
+      angle += volume[other] < 0 ? -part : part; /* adds the other shell's share of the solid angle; the sign is that of
+                                                  * a shell that faces outwards */
     }
     turn[s] = !(angle > 3.14159265358979323846);
   }
@@ -429,8 +430,8 @@ bool vs_face_list_repair(vs_store *s, vs_face_list *l, vs_repair_notes *notes, v
   double reach = fmax(vs_bounds_diagonal(&b) * 1e-6, 1e-300),
          size = fmax(fmax(fabs(b.min.x), fabs(b.max.x)),
                      fmax(fmax(fabs(b.min.y), fabs(b.max.y)), fmax(fabs(b.min.z), fabs(b.max.z))));
-  reach = fmax(reach, size * 1e-15); /* far from the origin, the spacing of doubles may be wider than the given
-                                      * distance, so it is increased */
+  reach = fmax(reach, size * 1e-15); /* far from the origin, the spacing of doubles may be wider than `reach`, which is
+                                      * then increased */
   bool ok = place && weld(l, reach, place, &notes->welded);
   for (size_t i = 0; ok && i < l->corner_count; i++) l->corners[i] = place[l->corners[i]];
   free(place);

@@ -8,9 +8,10 @@
 bool vs_face_list_compact(vs_face_list *l);
 
 typedef struct {
-  size_t count;      /* number of edges that occur more often in one direction than in the other, after equal points
-                      * have become one */
-  size_t face;       /* index, from 0, of a face at the first edge that occurs more often in one direction */
+  size_t count;      /* number of edges that occur more often in one direction than in the other, counted after equal
+                      * points became one point */
+  size_t face;       /* index, from 0, of a face at the first edge that occurs more often in one direction than in the
+                      * other */
   vs_vec3 from, to;
 } vs_open_edges;
 /* Finds the edges that occur in faces more often in one direction than in the other. s: the store whose caller may
@@ -25,10 +26,10 @@ typedef struct {
   size_t holes;      /* number of holes that were closed with triangles */
   size_t largest;    /* number of edges around the largest hole */
 } vs_repair_notes;
-/* Repairs the faces in place. It unites points within a millionth of the extent, removes faces, and turns faces to
- * agree with their neighbours. It then turns each shell outwards, and closes holes with triangles. A shell inside
- * another that faces inwards is a cavity, and is not turned. The result is closed, but may intersect itself. s: the
- * store whose caller may interrupt the work, or NULL. Returns false when memory is out or the run is interrupted. */
+/* Repairs the faces in place, so that they are closed. Unites points within a millionth of the extent, removes faces,
+ * turns shells outwards and closes holes with triangles. A shell inside another that faces inwards stays as a cavity.
+ * The result may intersect itself. Returns false when memory is out or the caller of the store s, which may be NULL,
+ * interrupts. */
 bool vs_face_list_repair(vs_store *s, vs_face_list *l, vs_repair_notes *notes, vs_error *e);
 
 #endif

@@ -29,8 +29,8 @@ static void put(sink *s, const char *format, ...) {
   if (n > 0) s->used += (size_t)(n < LONGEST ? n : LONGEST - 1);
 }
 
-/* In vs_distance_colour, the colours are blue, pale grey and red, with equal lightness on both sides, which people
- * without red vision can distinguish. */
+/* vs_distance_colour uses blue, pale grey and red, with equal lightness on both sides of grey; people who do not see
+ * red can distinguish these. */
 void vs_distance_colour(double share, double rgb[3]) {
   static const double ends[3][3] = { { .13, .31, .66 }, { .90, .89, .87 }, { .70, .09, .11 } };
   double t = fmin(fmax(share, -1), 1), k = fabs(t);
@@ -46,7 +46,7 @@ static bool face_shown(const vs_distance_map *m, size_t f) {
   return true;
 }
 
-/* Returns the number of points that the map shows: those with a position. */
+/* Returns the number of points that the map shows: those with a known position. */
 static size_t count_points(const vs_distance_map *m) {
   size_t n = 0;
   for (size_t i = 0; i < m->scan->point_count; i++) n += shown(m, i);
@@ -88,7 +88,7 @@ bool vs_distance_map_ply(const vs_distance_map *m, vs_map_write *write, void *co
   return s.ok;
 }
 
-/* Appends to the file a bar of colours beside the box b, with the ends of the range as text. */
+/* Appends a bar of colours beside the box b to the file, with the two ends of the range of distances as text. */
 static void put_legend(sink *s, const vs_distance_map *m, const vs_bounds *b) {
   enum { STEPS = 16 };
   double height = b->max.z - b->min.z, size = vs_bounds_diagonal(b), x = b->max.x + .08 * size, w = .03 * size;

@@ -1,12 +1,12 @@
-/* Implements step 2 of a fit: it fits all unknowns from several places and chooses the best result
- * (fit_candidates.h). */
+/* Implements step 2 of a fit (fit_candidates.h): it fits all unknowns, starting from several places of the scan, and
+ * chooses the best result. */
 #include "geometry/fitting/fit_candidates.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#define DOUBTED .16 /* cost above which a candidate is fitted again with changed numbers; it means that about a
-                     * twentieth of the points are outliers */
+#define DOUBTED .16 /* cost above which a candidate is fitted again with changed numbers; the cost is this high if about
+                     * a twentieth of the points are outliers */
 #define MOVED .08   /* fraction by which one of the model's numbers is changed before the fit is repeated */
 
 static const vs_fit_effort little = { VS_FIT_FIRST / 2, 3, 12, 1e-3 }, more = { VS_FIT_FIRST, 3, 25, 1e-4 };
@@ -22,7 +22,7 @@ static double score(const vs_fit_candidate *c, double spread) {
   return c->known ? sum / (double)c->known : 1;
 }
 
-/* Computes the cost of each of `count` candidates, relative to the least spread of all candidates. */
+/* Computes the cost of each of `count` candidates. The unit of distances is the least spread of all candidates. */
 static void rate(const vs_fit_search *f, vs_fit_candidate *all, size_t count) {
   double spread = INFINITY;
   for (size_t i = 0; i < count; i++) spread = fmin(spread, all[i].spread);
@@ -51,8 +51,8 @@ static double from_start(const vs_fit_search *f, const vs_fit_candidate *c) {
   return sum;
 }
 
-/* Returns true if the models of candidates a and b have different shapes: at least one point in twenty has clearly
- * different distances from the two. */
+/* Returns true if the models of candidates a and b have different shapes: for at least one point in twenty, its
+ * distances from the two models are clearly different. */
 static bool unlike(const vs_fit_search *f, const vs_fit_candidate *a, const vs_fit_candidate *b) {
   double spread = fmax(fmax(a->spread, b->spread), f->tolerance);
   size_t off = 0;
@@ -60,8 +60,8 @@ static bool unlike(const vs_fit_search *f, const vs_fit_candidate *a, const vs_f
   return off * 20 > a->known;
 }
 
-/* Sets *best to the candidate with the least cost. If other candidates with different numbers have about the same cost,
- * *best is the one with numbers nearest to the start numbers, and *second is another one. */
+/* Sets *best to the candidate with the least cost, and *second to the best candidate with clearly different numbers. If
+ * their costs are about equal, *best is the one whose numbers are nearer to the start numbers. */
 static void choose(vs_fit_search *f, vs_fit_candidate *all, size_t count, vs_fit_candidate *best,
                    vs_fit_candidate *second) {
   rate(f, all, count);
@@ -103,7 +103,7 @@ static int compare_candidates(const void *p, const void *q) {
   return a < b ? -1 : a > b;
 }
 
-/* Returns true if candidates a and b have equal numbers, and all points have equal distances. */
+/* Returns true if candidates a and b have equal numbers, and each point has equal distances from the two models. */
 static bool same_candidate(const vs_fit_search *f, const vs_fit_candidate *a, const vs_fit_candidate *b) {
   size_t count = f->p->count < VS_FIT_FIRST / 2 ? f->p->count : VS_FIT_FIRST / 2;
   double off = 0;
@@ -111,9 +111,9 @@ static bool same_candidate(const vs_fit_search *f, const vs_fit_candidate *a, co
   return !apart(f, a, b) && off < .1 * (double)count * fmax(fmin(a->spread, b->spread), f->tolerance);
 }
 
-/* Fits again from the best candidate with one of its numbers larger or smaller, if many points are outliers. A
- * number may then be in a local minimum, such as a row of windows that was fitted to the next row. Returns false on
- * failure. */
+/* Changes each of the best candidate's numbers up and down, and fits again from there. Called if many points are
+ * outliers: a number may be in a local minimum, for example if one row of windows was fitted to the next row. Returns
+ * false on failure. */
 static bool from_numbers(vs_fit_search *f, vs_fit_candidate *best, vs_fit_candidate *second) {
   enum { NUMBERS_MOVED = 12 };
   vs_fit_candidate pair[2];

@@ -1,4 +1,5 @@
-/* Declares, for use in fitting/ alone, step 2 of a fit: it fits all unknowns from the best places of the scan. */
+/* Declares step 2 of a fit, for use in fitting/ alone: it fits all unknowns, starting from the best places of the
+ * scan. */
 #ifndef VS_GEOMETRY_FITTING_FIT_CANDIDATES_H
 #define VS_GEOMETRY_FITTING_FIT_CANDIDATES_H
 
@@ -13,9 +14,9 @@ typedef struct {
   bool core;
 } vs_fit_candidate;
 
-/* Fits all unknowns from each place of the scan with a few iterations. Then fits the better half of the different
- * results until they converge. *second: best result with other numbers; its cost is INFINITY if there is none. Returns
- * false on failure; an interruption is no failure. */
+/* Fits all unknowns, starting from each place of the scan, with a few iterations. Then fits the better half of the
+ * different results until they converge. *second: best result with clearly different numbers; its cost is INFINITY if
+ * there is none. Returns false on failure; an interruption is no failure. */
 bool vs_fit_from_places(vs_fit_search *f, const vs_fit_place *places, size_t count, vs_fit_candidate *best,
                         vs_fit_candidate *second);
 

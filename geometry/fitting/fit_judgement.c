@@ -15,8 +15,8 @@
 /* ---- confidence intervals ---- */
 
 double vs_student_quantile(double confidence, double freedom) {
-  /* In vs_student_quantile, the quantile of the normal distribution is computed by bisection of erf. Then the terms of
-   * the Cornish-Fisher expansion for Student's distribution are added. */
+  /* vs_student_quantile first computes the quantile of the normal distribution, by bisection of erf. Then it adds the
+   * terms of the Cornish-Fisher expansion for Student's distribution. */
   double low = 0, high = 40;
   VS_ASSERT(confidence > 0 && confidence < 1);
   for (int i = 0; i < 100; i++) {
@@ -39,8 +39,8 @@ bool vs_fit_judge(vs_fit_search *f, const double *unknowns) {
   if (!VS_GROW(work, room, n * m + 2 * n * n + 4 * n)) return f->failed = true, vs_error_memory(f->e, NULL);
   double *jacobian = work, *normal = work + n * m, *vectors = normal + n * n, *values = vectors + n * n,
          *scales = values + n;
-  double *common = scales + n; /* common: change of each unknown if all distances shift by one length, as they do for
-                                * facets within a round shape */
+  double *common = scales + n; /* common: for each unknown, its change if all distances shift by one unit of length, as
+                                * the facets of a round shape make them do */
   double spread = vs_fit_spread(f), psi = 0, curvature = 0, curvature_square = 0, freedom = (double)m - (double)n;
   bool ok = true;
   for (size_t j = 0; ok && j < f->numbers; j++) {

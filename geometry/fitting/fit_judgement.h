@@ -5,17 +5,17 @@
 
 #include "geometry/fitting/fit_unknowns.h"
 
-/* Sets the error, interval and verdict (determined or not) of each of the model's numbers, from the derivatives at the
- * given unknowns. Returns false on failure. */
+/* Sets three results for each of the model's numbers: its standard error, its interval, and whether the scan determines
+ * it. Computes them from the derivatives at the given unknowns. Returns false on failure. */
 bool vs_fit_judge(vs_fit_search *f, const double *unknowns);
-/* Sets the result's spread, outliers and the correlation of neighbouring points, from the distances of all points.
- * Returns false when memory is out. */
+/* Sets the result's spread, its number of outliers, and the correlation of neighbouring points, from the distances of
+ * all points. Returns false when memory is out. */
 bool vs_fit_summarise(vs_fit_search *f);
 /* Returns the reason why the result of fit f cannot be trusted, or VS_FIT_DOUBT_NONE. */
 vs_fit_doubt vs_fit_doubt_of(const vs_fit_search *f);
 
-/* Returns the two-sided quantile of Student's distribution for a confidence between 0 and 1. freedom: degrees of
- * freedom. */
+/* Returns the quantile of Student's distribution for a two-sided interval. confidence: between 0 and 1; freedom:
+ * degrees of freedom. */
 double vs_student_quantile(double confidence, double freedom);
 
 #endif

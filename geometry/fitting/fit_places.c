@@ -1,4 +1,4 @@
-/* Implements step 1 of a fit: the possible places of the scan in the model (fit_places.h). */
+/* Implements step 1 of a fit (fit_places.h): it finds possible places of the scan in the model. */
 #include "geometry/fitting/fit_places.h"
 
 #include <math.h>
@@ -6,18 +6,20 @@
 #include <string.h>
 
 enum {
-  STARTS = VS_FIT_STARTS_MOST / 2, /* half of the starts of a fit are found with all points, and half with the core
-                                    * points (without stray points) */
+  STARTS = VS_FIT_STARTS_MOST / 2, /* half of the starts of a fit are found with all points, and half with the core: the
+                                    * points without stray points */
   PLACES = 24,                     /* number of placements of the scan that are improved by a fit of the motion alone */
   AXES_TURNS = 48,
   PLAN_TURNS = 12,
   SHIFTS = 4
 };
 _Static_assert(1 + SHIFTS * (1 + AXES_TURNS + PLAN_TURNS) == VS_FIT_PLACES_TRIED, "all that are tried have room");
-#define COARSE (1. / 2000) /* facet tolerance in steps 1 and 2 of the fit, as a fraction of the model's diagonal */
-#define NEAR .1 /* distance beyond which the cost of a point no longer grows, as a fraction of the scan's size */
-#define CORE 2.5 /* square radius of the core (the scan without stray points), as a multiple of the square radius that
-                  * contains three quarters of the points */
+#define COARSE (1. / 2000) /* facet tolerance of the model's mesh in steps 1 and 2 of the fit, as a fraction of the
+                            * diagonal of the model's box */
+#define NEAR .1 /* distance of a point from the model beyond which its cost no longer grows, as a fraction of the scan's
+                 * size */
+#define CORE 2.5 /* A point belongs to the core (scan without stray points) if its squared distance, as measured by an
+                  * ellipsoid, is at most this multiple of the one that contains three quarters of the points. */
 
 /* ---- the core of a scan ----
  *
@@ -26,7 +28,7 @@ _Static_assert(1 + SHIFTS * (1 + AXES_TURNS + PLAN_TURNS) == VS_FIT_PLACES_TRIED
  * points that are nearest as measured by the ellipsoid of the kept points. Then all points within CORE times its square
  * radius are added again. */
 
-/* Returns the square of p's distance from the centre, where the unit of length along each axis is the spread of the
+/* Returns the squared distance of p from the centre. Along each axis, the unit of length is the spread of the
  * points. */
 static double ellipsoid_square(vs_vec3 p, vs_vec3 centre, double axes[3][3], const double square[3]) {
   vs_vec3 d = vs_v3_sub(p, centre);
@@ -92,7 +94,7 @@ static bool same_place(const vs_fit_search *f, const vs_fit_place *a, const vs_f
   return apart < .1 * (double)f->count * fmin(a->cost, b->cost);
 }
 
-/* Sorts the places of the scan by cost, and removes equal ones. */
+/* Sorts the places of the scan by cost, and removes places that equal another one. */
 static void distinct_places(const vs_fit_search *f, vs_fit_place *places, size_t *count) {
   size_t kept = 0;
   if (*count) qsort(places, *count, sizeof *places, compare_places);
@@ -104,8 +106,8 @@ static void distinct_places(const vs_fit_search *f, vs_fit_place *places, size_t
   *count = kept;
 }
 
-/* Computes the points' distances from the model, and the cost, for the placement `at` of the scan. Returns false when
- * interrupted. */
+/* For the placement `at` of the scan, computes the points' distances from the model and the placement's cost. Returns
+ * false when interrupted. */
 static bool cost_of(vs_fit_search *f, vs_fit_place *at) {
   for (size_t i = 0; i < f->count; i++) f->places[i] = vs_rigid_point(&at->motion, f->points[i]);
   if (!vs_fit_measure(f, f->field, f->distances, NULL)) return false;
@@ -118,8 +120,8 @@ static bool cost_of(vs_fit_search *f, vs_fit_place *at) {
   return true;
 }
 
-/* Computes the rotation from the scan's axes to the model's axes, in the k-th of 24 ways, k from 0. If k >= 24, it also
- * includes an eighth of a turn about the model's first axis. */
+/* Computes a rotation that maps the scan's axes to the model's axes, with signs and order chosen by k: 0 to 23. For k
+ * >= 24, it is the rotation for k % 24, and an eighth of a turn about the model's first axis. */
 static void axes_turned(int k, double model[3][3], double scan[3][3], double out[3][3]) {
   static const int orders[6][3] = { { 0, 1, 2 }, { 1, 2, 0 }, { 2, 0, 1 }, { 0, 2, 1 }, { 2, 1, 0 }, { 1, 0, 2 } };
   double turned[3][3];
@@ -164,18 +166,18 @@ static void span_along(const double axis[3], const vs_vec3 *points, size_t count
   }
 }
 
-/* The shape of the scan or of the model in step 1 of the fit: its moments, axes and centre, and for the model its
+/* The shape of the scan or of the model, for step 1 of the fit: its moments, axes and centre; for the model also its
  * extent along its axes. */
 typedef struct {
   vs_point_moments moments;
   vs_vec3 centre;
   double axes[3][3], size, span[3][2];
-  const vs_vec3 *points; /* points of the scan, of which the first ones span the scan's bounding box */
+  const vs_vec3 *points; /* points of the scan; the first of them span the scan's bounding box */
   size_t count;
 } shape;
 
-/* Adds the places of the scan with the rotation `turn`. Along the model's first axis, the boxes of scan and model are
- * aligned by their middles, ends, starts or centres. */
+/* Adds the places of the scan with the rotation `turn`. For each of SHIFTS shifts, the scan and the model are aligned
+ * by the middles or ends of their extents along the model's first axis, or by their centres. */
 static void add_turn(const vs_fit_search *f, const shape *model, const shape *scan, double turn[3][3],
                      vs_fit_place *places, size_t *count) {
   for (int s = 0; s < SHIFTS; s++) {
@@ -194,8 +196,8 @@ static void add_turn(const vs_fit_search *f, const shape *model, const shape *sc
   }
 }
 
-/* Adds the places that align the axes of the scan's points with the model's axes, and places rotated about the vertical
- * axis. Unless any pose is allowed, the upward direction of the scan must be that of the model. */
+/* Adds places that align the axes of the scan's points with the model's axes, and places rotated about the vertical
+ * axis. Unless any pose is allowed, the scan's upward direction must agree with the model's. */
 static void add_turns(const vs_fit_search *f, shape *model, shape *scan, vs_fit_place *places, size_t *count) {
   double turn[3][3], angle = plan_angle(&model->moments) - plan_angle(&scan->moments);
   for (int k = 0; k < AXES_TURNS; k++) {
@@ -214,8 +216,8 @@ static void model_shape(const vs_mesh *mesh, shape *out) {
     vs_vec3 c[3];
     for (int k = 0; k < 3; k++) c[k] = mesh->vertices[mesh->triangles[i][k]];
     double area = vs_v3_length(vs_v3_cross(vs_v3_sub(c[1], c[0]), vs_v3_sub(c[2], c[0]))) / 2;
-    for (int k = 0; k < 3; k++) /* moments of a triangle by the midpoints of its sides, which is exact for squares of
-                                 * coordinates */
+    for (int k = 0; k < 3; k++) /* computes the moments of a triangle from the midpoints of its sides, which is exact
+                                 * for squares of coordinates */
       vs_point_moments_add(&out->moments, vs_v3_scale(vs_v3_add(c[k], c[(k + 1) % 3]), .5), area / 3);
   }
   if (!(out->moments.weight > 0)) return;
@@ -223,14 +225,15 @@ static void model_shape(const vs_mesh *mesh, shape *out) {
   for (int a = 0; a < 3; a++) span_along(out->axes[a], mesh->vertices, mesh->vertex_count, NULL, out->span[a]);
 }
 
-/* Computes the moments (centre and axes) of a set of points of the scan. The first `spanned` points span its box. */
+/* Computes the moments of a set of points of the scan, and from them its centre and axes. The first `spanned` points
+ * span its box. */
 static void scan_shape(const vs_vec3 *points, size_t count, size_t spanned, shape *out) {
   *out = (shape){ .points = points, .count = count < spanned ? count : spanned };
   for (size_t i = 0; i < count; i++) vs_point_moments_add(&out->moments, points[i], 1);
   vs_point_moments_axes(&out->moments, &out->centre, out->axes, &out->size);
 }
 
-/* Collects the places of the scan to evaluate. The first is the place where the scan already is. Returns false on
+/* Collects the places of the scan that are to be evaluated, beginning with its present place. Returns false on
  * failure. */
 static bool try_places(vs_fit_search *f, const vs_mesh *mesh, vs_fit_place *places, size_t *count) {
   shape model, scan;
@@ -249,7 +252,8 @@ static bool try_places(vs_fit_search *f, const vs_mesh *mesh, vs_fit_place *plac
   return true;
 }
 
-/* Returns true if scan and model may have the same unit of length: the ratio of their sizes is between .02 and 20. */
+/* Returns true if scan and model probably have the same unit of length: the ratio of their sizes is between .02 and
+ * 20. */
 static bool same_unit(vs_fit_search *f) {
   double ratio = f->out->size / f->out->model_size;
   if (!(f->out->size > 0)) return vs_error_set(f->e, VS_ERROR_FILE, NULL, "all points lie in one place");
@@ -261,8 +265,9 @@ static bool same_unit(vs_fit_search *f) {
                       "the scan is only %.2g times as large as the model: are both in the same unit?", ratio);
 }
 
-/* Finds the places of the scan in the model that are to be improved, the best first. scaled: selects the start numbers.
- * Returns false if it failed or was interrupted, or the model cannot be made; the error states the reason. */
+/* Finds the best places of the scan in the model, in order of cost. scaled: true for the scaled start numbers, false
+ * for the caller's. Returns false if it failed or was interrupted, or the model cannot be made; the error states the
+ * reason. */
 static bool find_places(vs_fit_search *f, bool scaled, vs_fit_place *places, size_t *count) {
   vs_mesh mesh = { 0 };
   memcpy(f->made_at, f->begin[scaled], f->numbers * sizeof *f->made_at);
@@ -288,7 +293,8 @@ static bool find_places(vs_fit_search *f, bool scaled, vs_fit_place *places, siz
     if (!cost_of(f, &places[i])) return false;
   }
   if (f->p->placed) return true;
-  size_t kept = 1; /* keeps the scan's own place, which is the first, and for each rotation the best shift */
+  size_t kept = 1; /* keeps the scan's present place, which is the first, and for each rotation the shift with the least
+                    * cost */
   for (size_t i = 1; i < *count; i += SHIFTS) {
     size_t best = i;
     for (size_t k = i + 1; k < i + SHIFTS; k++)
@@ -321,8 +327,8 @@ static bool improve(vs_fit_search *f, vs_fit_place *at) {
   f->motion = at->motion;
   if (!cost_of(f, at)) return false;
   f->level = !f->p->any_pose;
-  for (int loss = VS_LOSS_HUBER; loss <= VS_LOSS_TUKEY; loss++) { /* after Huber's loss, Tukey's loss removes the
-                                                                   * influence of stray points */
+  for (int loss = VS_LOSS_HUBER; loss <= VS_LOSS_TUKEY; loss++) { /* begins with Huber's loss; then Tukey's loss removes
+                                                                   * the influence of stray points */
     vs_robust_problem problem = {
       f->count, VS_RIGID_UNKNOWNS, motion_residuals, f, (vs_loss)loss, vs_fit_spread(f), 20, 1e-4
     };
@@ -337,12 +343,12 @@ static bool improve(vs_fit_search *f, vs_fit_place *at) {
 
 /* ---- step 1 ---- */
 
-/* Runs step 1 of the fit with the start numbers, or with the numbers scaled by the scan's size. Appends places of the
- * scan, of which the best are improved. Returns false on failure. */
+/* Runs step 1 of the fit, with the caller's start numbers or with the numbers scaled by the scan's size. Appends the
+ * places of the scan that it finds; the best of them are improved. Returns false on failure. */
 static bool step_one(vs_fit_search *f, bool scaled, vs_fit_place *places, size_t *count) {
   size_t found;
-  if (!find_places(f, scaled, places, &found)) return !f->failed; /* if the search was interrupted, no place was
-                                                                   * evaluated completely, which is no failure */
+  if (!find_places(f, scaled, places, &found)) return !f->failed; /* if the search was interrupted before any place was
+                                                                   * evaluated completely, that is no failure */
   if (found > PLACES) found = PLACES;
   for (size_t i = 0; !f->p->placed && i < found && !f->out->stopped; i++)
     if (!improve(f, &places[i]) && f->failed) return false;

@@ -1,4 +1,4 @@
-/* Declares, for use in fitting/ alone, step 1 of a fit: it finds the places of the scan in the model from which step 2
+/* Declares step 1 of a fit, for use in fitting/ alone: it finds the places of the scan in the model from which step 2
  * starts. */
 #ifndef VS_GEOMETRY_FITTING_FIT_PLACES_H
 #define VS_GEOMETRY_FITTING_FIT_PLACES_H
@@ -6,7 +6,7 @@
 #include "geometry/fitting/fit_unknowns.h"
 
 enum {
-  VS_FIT_TRIED = 300,        /* number of scan points in step 1 of the fit */
+  VS_FIT_TRIED = 300,        /* number of the scan's points that step 1 of the fit uses */
   VS_FIT_STARTS_MOST = 10,   /* greatest number of places of the scan in the model from which step 2 of the fit
                               * starts */
   VS_FIT_PLACES_TRIED = 245  /* greatest number of places of the scan that are evaluated in one run of step 1 */
@@ -14,18 +14,18 @@ enum {
 
 typedef struct {
   vs_rigid_motion motion;
-  double cost; /* mean of the points' distances from the model (absolute values), each limited to a tenth of the scan's
-                * size */
-  bool scaled; /* true if the place was found for the model with the scaled start numbers, vs_fit_search.begin[1] */
+  double cost; /* mean of the points' distances from the model, as absolute values that are limited to a tenth of the
+                * scan's size */
+  bool scaled; /* true if the place was found for the model with scaled start numbers, begin[1] of vs_fit_search */
   bool core;   /* true if the place was found with the core of the scan, without its stray points */
   float distances[VS_FIT_TRIED];
 } vs_fit_place;
 
 /* Finds the core of the scan: its points without stray points. Stores it in f->core. */
 void vs_fit_find_core(vs_fit_search *f);
-/* Runs step 1 of the fit with the current points, both with the start numbers and with the numbers scaled by the scan's
- * size. Appends the best places of both runs, improved. places: has room for VS_FIT_PLACES_TRIED more elements after
- * VS_FIT_STARTS_MOST. Returns false on failure. */
+/* Runs step 1 of the fit twice with the current points: with the caller's start numbers, and with the numbers scaled by
+ * the scan's size. Appends the best places of both runs, improved. places: has VS_FIT_STARTS_MOST + VS_FIT_PLACES_TRIED
+ * elements. Returns false on failure. */
 bool vs_fit_find_starts(vs_fit_search *f, vs_fit_place *places, size_t *count);
 
 #endif

@@ -31,8 +31,8 @@ double vs_fit_number_outer(const vs_fit_number *n, double u) {
 double vs_fit_number_inner(const vs_fit_number *n, double x) {
   bool low = isfinite(n->low), high = isfinite(n->high);
   double scale = vs_fit_number_scale(n), width = n->high - n->low;
-  if (low && high) { /* At a bound itself, the derivative would be 0, and the number could not change. Therefore it is
-                      * moved slightly inside. */
+  if (low && high) { /* At a bound itself, the derivative by the unknown would be 0, and the number would never change.
+                      * Therefore the number is first moved slightly inside its bounds. */
     double share = width > 0 ? (x - n->low) / width : .5;
     return asin(2 * fmin(fmax(share, .01), .99) - 1);
   }
@@ -51,8 +51,8 @@ static double outer_slope(const vs_fit_number *n, double u) {
 /* ---- distances and their derivatives ---- */
 
 bool vs_fit_going(vs_fit_search *f) {
-  bool stopped = f->out->stopped; /* The caller's function `going` returned false before: the remaining work is small
-                                   * and is completed. */
+  bool stopped = f->out->stopped; /* If the caller's function `going` has returned false before, only a small amount of
+                                   * work remains, which is completed. */
   f->out->stopped = !f->p->model->going(f->p->model->context) || stopped;
   return stopped || !f->out->stopped;
 }
@@ -147,8 +147,8 @@ bool vs_fit_number_slopes(vs_fit_search *f, size_t j, double *out) {
   return true;
 }
 
-/* Computes residuals or derivatives for the solver (a vs_residuals_fn). If the numbers do not make a solid, all
- * distances become the model's diagonal, so that the solver takes a shorter step. */
+/* Computes residuals or derivatives for the solver (a vs_residuals_fn). If the numbers do not make a solid, sets all
+ * distances to the model's diagonal, so that the solver tries a shorter step. */
 static bool residuals(void *context, const double *unknowns, double *out, double *slopes) {
   vs_fit_search *f = context;
   bool refused;

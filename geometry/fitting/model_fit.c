@@ -9,7 +9,8 @@
 #include "geometry/fitting/fit_judgement.h"
 #include "model/store/array.h"
 
-#define FINE (1. / 50000) /* facet tolerance in steps 3 and 4, as a fraction of the model's diagonal */
+#define FINE (1. / 50000) /* facet tolerance of the model's mesh in steps 3 and 4 of the fit, as a fraction of the
+                           * diagonal of the model's box */
 
 static bool run(vs_fit_search *f, vs_fit_place *places) {
   size_t count = 0;

@@ -28,15 +28,15 @@
 #include <stdint.h>
 
 typedef struct {
-  double start, low, high; /* A number of the model. start: value to begin with; low, high: bounds; -INFINITY, INFINITY:
-                            * no bound */
+  double start, low, high; /* A number of the model. start: value with which the fit begins; low, high: bounds, where
+                            * -INFINITY and INFINITY mean no bound. */
 } vs_fit_number;
 
 typedef struct {
   void *context;
-  /* Makes the solid with these numbers as a mesh, with facets within the tolerance; 0: the tolerance of drawings.
-   * Returns false with VS_ERROR_MODEL if these numbers do not make a solid; the fit then takes a shorter step. Any
-   * other error ends the fit. */
+  /* Makes the solid with the given numbers as a mesh whose facets are within the tolerance; 0: the tolerance of
+   * drawings. Returns false with VS_ERROR_MODEL if the numbers do not make a solid; the fit then takes a shorter step.
+   * Any other error ends the fit. */
   bool (*make)(void *context, const double *numbers, double tolerance, vs_mesh *out, vs_error *e);
   bool (*going)(void *context); /* returns false to stop the fit, which keeps its result so far */
   void (*progress)(void *context, unsigned iteration, double spread);
@@ -57,7 +57,7 @@ typedef struct {
 
 typedef enum {
   VS_FIT_NUMBER_FITTED,
-  VS_FIT_NUMBER_LOOSE /* the points of the scan do not determine the number */,
+  VS_FIT_NUMBER_LOOSE /* the scan does not determine the number: many values fit equally well */,
   VS_FIT_NUMBER_BOUND /* the fitted number is at one of its bounds */
 } vs_fit_verdict;
 
@@ -68,7 +68,8 @@ typedef enum {
   VS_FIT_DOUBT_TILTED, /* the fitted model lies on its side or upside down, although any_pose is false */
   VS_FIT_DOUBT_STRAYS, /* more than a fifth of the scan's points are outliers */
   VS_FIT_DOUBT_SHAPE,  /* the distances of neighbouring points are correlated, so the model has another shape */
-  VS_FIT_DOUBT_RIVAL   /* another start led to an equally good fit with another shape */
+  VS_FIT_DOUBT_RIVAL   /* value: the fitted number; error: its standard error; low, high: its interval at the requested
+                        * confidence. error, low and high are infinite if the scan does not determine the number. */
 } vs_fit_doubt;
 
 typedef struct {
@@ -87,23 +88,23 @@ typedef struct {
   double spread; /* spread of the distances: 1.4826 times the median of their absolute values, which is the standard
                   * deviation for a normal distribution */
   double root_mean_square, median;
-  double correlation;      /* correlation of the distances of neighbouring points, without outliers; near 0 for pure
-                            * noise */
+  double correlation;      /* correlation of the distances of neighbouring points, without outliers; near 0 if the
+                            * distances are pure noise */
   size_t outliers;         /* number of the scan's points whose distance has no influence on the fit (beyond Tukey's
                             * limit) */
   double size;             /* size of the scan: root of the mean square distance from its centre */
   double model_size;       /* size of the model at the start: root of the mean square distance from its centre */
-  bool converged, stopped; /* converged: true if the last step of the fit converged; stopped: true if the caller's
-                            * function `going` ended the fit */
+  bool converged, stopped; /* converged: true if the solver converged in the last step of the fit; stopped: true if the
+                            * caller's function `going` ended the fit */
   bool rival;              /* true if another start led to an equally good fit with other numbers */
-  bool rival_unlike;       /* true if the equally good fit from another start also has another shape */
+  bool rival_unlike;       /* true if that other fit (see `rival`) also has another shape */
   vs_fit_doubt doubt;
   unsigned iterations, models; /* iterations: number of times that the distances of all points were computed; models:
                                 * number of solids that were made from numbers */
 } vs_model_fit;
 
-/* Fits the model, and fills *out, which the caller frees, also after a failure. Returns false if nothing was fitted:
- * there are too few points, the model cannot be made at the start, memory is out, or the solver is missing. */
+/* Fits the model and fills *out, which the caller frees, even after a failure. Returns false if nothing was fitted:
+ * there are too few points, the start numbers make no model, memory is out, or the solver's library is missing. */
 bool vs_model_fit_solve(const vs_fit_problem *p, vs_model_fit *out, vs_error *e);
 void vs_model_fit_free(vs_model_fit *f);
 

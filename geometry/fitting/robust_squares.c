@@ -21,7 +21,7 @@ double vs_loss_root(vs_loss loss, double r, double *slope, double *weight) {
   } else if (loss == VS_LOSS_TUKEY) {
     double u = size / VS_TUKEY_REACH, rest = u < 1 ? 1 - u * u : 0;
     psi = size * rest * rest;
-    /* The expression under the root is 1 - (1 - u^2)^3, written without cancellation. */
+    /* The expression under the root equals 1 - (1 - u^2)^3. It is written so that no digits are lost for small u. */
     f = u < 1 ? size * sqrt(1 - u * u + u * u * u * u / 3) : VS_TUKEY_REACH / sqrt(3);
   }
   *slope = f > 0 ? psi / f : 1;

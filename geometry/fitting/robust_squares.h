@@ -7,21 +7,21 @@
 
 #include <stddef.h>
 
-/* The loss functions. HUBER: quadratic up to 1.345 spreads, and linear beyond. It is convex, and leads to the vicinity
- * of the solution. TUKEY: the biweight with 4.685 spreads, beyond which a residual has no influence. It determines the
- * solution itself. Both have 95 % of the efficiency of least squares if errors are normal. */
+/* The loss functions. HUBER: quadratic up to 1.345 spreads, and linear above; it is convex and leads near the solution.
+ * TUKEY: the biweight, in which a residual above 4.685 spreads has no influence; it determines the solution. If errors
+ * are normal, both have 95 % of the efficiency of least squares. */
 typedef enum { VS_LOSS_HUBER, VS_LOSS_TUKEY } vs_loss;
 #define VS_TUKEY_REACH 4.685
 
-/* Returns f, the root of twice the loss, for a residual r in units of the spread. *slope: df/dr; *weight: psi(r) / r,
- * where psi is the loss's derivative; weight may be NULL. */
+/* Returns f, the root of twice the loss, for a residual r in units of the spread. *slope: df/dr. *weight: psi(r) / r,
+ * where psi is the derivative of the loss; weight may be NULL. */
 double vs_loss_root(vs_loss loss, double r, double *slope, double *weight);
 /* Returns the second derivative psi'(r) of the loss, which Huber's covariance needs. */
 double vs_loss_curvature(vs_loss loss, double r);
 
-/* Computes `count` residuals. If slopes is not NULL, computes their derivatives instead: slopes[j * count + i] of
- * residual i by unknown j. The residuals for these unknowns have been requested before. Returns false to stop the
- * solver. */
+/* Computes `count` residuals. If slopes is not NULL, computes their derivatives instead: slopes[j * count + i] is the
+ * derivative of residual i by unknown j. The solver requests derivatives only for unknowns for which it has requested
+ * residuals. Returns false to stop the solver. */
 typedef bool vs_residuals_fn(void *context, const double *unknowns, double *residuals, double *slopes);
 
 typedef struct {
@@ -39,8 +39,9 @@ typedef enum {
   VS_ROBUST_STOPPED
 } vs_robust_end;
 
-/* Improves the unknowns in place; if stopped, they are the best so far. *loss: mean loss for them. p->spread is above
- * 0. Returns false when memory is out, or the solver is not installed (VS_ERROR_WORKER). */
+/* Improves the unknowns in place; if the solver is stopped, they are the best so far. *loss: mean loss for these
+ * unknowns. p->spread is above 0. Returns false when memory is out, or the solver's library is not installed
+ * (VS_ERROR_WORKER). */
 bool vs_robust_solve(const vs_robust_problem *p, double *unknowns, double *loss, vs_robust_end *end, vs_error *e);
 
 #endif

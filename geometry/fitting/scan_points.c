@@ -30,8 +30,8 @@ static void shuffle(vs_vec3 *at, size_t count, uint64_t *state) {
   }
 }
 
-/* Distributes `count` samples over the faces, in proportion to their area. Faces are divided into triangles, and each
- * sample lies in its equal part of the total area. Returns false when memory is out. */
+/* Distributes `count` samples over the faces, in proportion to their area: the total area is divided into equal parts,
+ * and each has one sample. Returns false when memory is out. */
 static bool spread_samples(const vs_face_list *l, size_t count, vs_scan_points *out, uint64_t *state) {
   double *sums = NULL, area = 0;
   size_t room = 0, sample_room = 0, triangles = 0, at = 0;
@@ -70,7 +70,7 @@ bool vs_scan_points_take(vs_face_list *file, size_t least, vs_scan_points *out, 
   for (size_t i = 0; i < out->file.point_count; i++) out->nowhere += !somewhere(out->file.points[i]);
   bool ok = true;
   if (out->file.face_count) ok = spread_samples(&out->file, least, out, &state);
-  if (ok && !out->sample_count) { /* the file has no faces with an area, so its points are the samples */
+  if (ok && !out->sample_count) { /* no face of the file has an area, so the file's points are the samples */
     free(out->samples);
     out->samples = NULL;
     ok = VS_GROW(out->samples, room, out->file.point_count + 1);

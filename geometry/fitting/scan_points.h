@@ -6,9 +6,8 @@
 
 typedef struct {
   vs_face_list file; /* points and faces of the file; coordinates of points without a position are NaN */
-  vs_vec3 *samples;  /* Points to which the model is fitted, in a random order that is reproducible for equal files.
-                      * They are the file's points, or for a mesh positions that are evenly distributed over its
-                      * faces. */
+  vs_vec3 *samples;  /* Points to which the model is fitted, in a random order that is equal for equal files. They are
+                      * the file's points; for a mesh, they are evenly distributed over its faces. */
   size_t sample_count;
   size_t nowhere; /* number of points in the file without a finite position */
 } vs_scan_points;

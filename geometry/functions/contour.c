@@ -31,7 +31,7 @@
 #include "geometry/functions/sampling.h"
 #include "model/store/array.h"
 
-/* FLAT: a point whose distance from a plane is less than this fraction of a cell lies in the plane. */
+/* FLAT: a point lies in a plane if its distance from the plane is less than this fraction of a cell. */
 #define FLAT 1e-4
 
 enum { BLOCK = 8, CORNERS = (BLOCK + 1) * (BLOCK + 1) * (BLOCK + 1), NONE = -1, TURNS = 40 };
@@ -39,14 +39,15 @@ enum { BLOCK = 8, CORNERS = (BLOCK + 1) * (BLOCK + 1) * (BLOCK + 1), NONE = -1, 
 typedef struct {
   int32_t at[3];
   uint8_t below;   /* signs at the cell's corners: bit c is set if the value at corner c is below 0 */
-  uint8_t flips;   /* bit f: the crossings in face f of the cell are joined in the second way (step 3 of the plan) */
+  uint8_t flips;   /* bit f is set if the crossings in face f of the cell are joined in the second of two possible ways
+                    * (step 3 of the plan) */
   bool sharp;      /* true if the cell contains a sharp edge or corner of the surface */
   uint32_t rings;  /* two bits for each edge of the cell: the number of the ring (piece of the surface) that contains
                     * the edge's crossing */
   uint32_t first;  /* index of the point of the cell's first ring (piece of the surface); the points of its other rings
                     * follow */
-  int32_t edge[3]; /* edge[a]: index of the crossed edge along axis a at the cell's lowest corner; NONE: the surface
-                    * does not cross it */
+  int32_t edge[3]; /* edge[a]: index of the edge along axis a that begins at the cell's lowest corner; NONE if the
+                    * surface does not cross this edge */
 } cell;
 
 typedef struct {
@@ -57,7 +58,8 @@ typedef struct {
 } crossing;
 
 typedef struct {
-  const vs_tape *t; /* tape whose value is the larger of the function's value and of the distance to the box's inside */
+  const vs_tape *t; /* the function's tape combined with the box: its value is the larger of the function's value and of
+                     * the distance to the box's inside */
   vs_sampler *values, *slopes;
   double origin[3], size;
   int32_t n[3]; /* number of cells of the grid along each axis */
@@ -71,8 +73,8 @@ typedef struct {
   vs_vec3 *roots, *normals; /* roots[i], normals[i]: point where the surface crosses edge i, and the surface's normal
                              * there */
   size_t root_room, normal_room;
-  uint32_t (*around)[4]; /* around[i]: the four points around edge i, counter-clockwise as seen from the side of values
-                          * above 0 */
+  uint32_t (*around)[4]; /* around[i]: indices of the four points around edge i, counter-clockwise as seen from its end
+                          * where the value is above 0 */
   size_t around_room;
   vs_enclosure *work;
   size_t work_room;
@@ -144,9 +146,10 @@ static vs_contour_outcome block(contour *c, const int32_t *from) {
                         .edge = { NONE, NONE, NONE } };
         for (int a = 0; a < 3; a++) {
           if ((below & 1) == (below >> (1 << a) & 1)) continue;
-          if (c->out->most && 2 * (c->edge_count + 1) > c->out->most) return VS_CONTOUR_MANY; /* each crossed edge
-                                                                                               * becomes two triangles
-                                                                                               * of the mesh */
+          if (c->out->most && 2 * (c->edge_count + 1) > c->out->most) return VS_CONTOUR_MANY; /* each edge that the
+                                                                                               * surface crosses becomes
+                                                                                               * two triangles of the
+                                                                                               * mesh */
           if (!VS_GROW(c->edges, c->edge_room, c->edge_count + 1)) return VS_CONTOUR_MEMORY;
           made->edge[a] = (int32_t)c->edge_count;
           c->edges[c->edge_count++] =
@@ -212,8 +215,8 @@ typedef struct {
   int8_t side;
 } search;
 
-/* Returns the larger absolute value of the function at the two ends of the edge. Beside a pole one of them may be
- * infinite, and is ignored. */
+/* Returns the larger absolute value of the function at the two ends of the edge. Ignores an infinite value, which an
+ * end beside a pole may have. */
 static double finite_size(const crossing *e) {
   double a = fabs(e->v0), b = fabs(e->v1);
   return isfinite(a) && isfinite(b) ? fmax(a, b) : fmin(a, b);
@@ -223,9 +226,9 @@ static bool in_box(const contour *c, double x, double y, double z) {
   return x >= c->p[0] && x <= c->q[0] && y >= c->p[1] && y <= c->q[1] && z >= c->p[2] && z <= c->q[2];
 }
 
-/* Finds the root on every edge that the surface crosses, with the Illinois method of false position. Each iteration
- * evaluates all edges together. Every third iteration and all late ones bisect, which also finds jumps. Then computes
- * the gradients at the roots. */
+/* Finds the point on every crossed edge where the function is 0, by the Illinois method of false position. Each
+ * iteration evaluates all edges together. Every third iteration and all late ones bisect, which also finds jumps. Then
+ * computes the gradients at these points. */
 static vs_contour_outcome roots(contour *c) {
   size_t n = c->edge_count, room = 0, x_room[3] = { 0, 0, 0 }, v_room = 0, s_room[3] = { 0, 0, 0 };
   search *s = NULL;
@@ -257,7 +260,7 @@ static vs_contour_outcome roots(contour *c) {
     size_t kept = 0;
     for (size_t i = 0; i < left; i++) {
       search e = s[i];
-      if (v[i] != v[i]) { /* the value may be NaN only outside of the box */
+      if (v[i] != v[i]) { /* a value of NaN is a fault inside the box; it is allowed only outside */
         if (in_box(c, x[0][i], x[1][i], x[2][i])) {
           c->out->at = vs_v3(x[0][i], x[1][i], x[2][i]), outcome = VS_CONTOUR_NO_NUMBER;
           break;
@@ -366,8 +369,9 @@ static int root_of(const int8_t *parent, int e) {
   return e;
 }
 
-/* Finds the pairs of crossed edges that the surface connects in a face of cell c, and returns their number. With four
- * crossings, the two edges at a corner below 0 form a pair; in a flipped face, the two edges at a corner above 0. */
+/* Finds the pairs of crossed edges that the surface connects in a face of cell c, and returns their number. If four
+ * edges are crossed, a pair consists of the two edges at a corner where the value is below 0; in a flipped face, at a
+ * corner where it is above 0. */
 static int face_pairs(const cell *c, int face, int (*pair)[2]) {
   int k[4], crossed[4], count = 0;
   face_corners(face, k);
@@ -376,8 +380,8 @@ static int face_pairs(const cell *c, int face, int (*pair)[2]) {
       crossed[count++] = edge_between(k[i], k[(i + 1) % 4]);
   if (count == 2) return pair[0][0] = crossed[0], pair[0][1] = crossed[1], 1;
   if (count == 0) return 0;
-  /* Crossing crossed[i] lies on the face's edge between its corners i and i + 1. Therefore the edges at corner i have
-   * the numbers i - 1 and i. */
+  /* Crossing i of the face lies on the edge between its corners i and i + 1. Therefore the edges at corner i have the
+   * numbers i - 1 and i. */
   int corner = ((c->below >> k[0] & 1) != (c->flips >> face & 1)) ? 0 : 1;
   for (int i = 0; i < 2; i++) pair[i][0] = crossed[(corner + 2 * i + 3) % 4], pair[i][1] = crossed[corner + 2 * i];
   return 2;
@@ -416,8 +420,8 @@ static bool on_one_ring(const cell *c, int face) {
   return face_pairs(c, face, pair) == 2 && ring_of(c, pair[0][0]) == ring_of(c, pair[1][0]);
 }
 
-/* Joins the crossings in some faces the other way (flips them), to separate rings. A flipped face separates the rings
- * of the two cells at it, and affects no other ring. Therefore one pass suffices. */
+/* Flips some faces (joins their crossings in the other way), so that the two pairs of crossings in the face belong to
+ * separate rings. A flipped face changes only the rings of the two cells beside it, so one pass suffices. */
 static void part_sheets(contour *c) {
   for (size_t i = 0; i < c->cell_count; i++) join_rings(&c->cells[i]);
   for (size_t i = 0; i < c->cell_count; i++)
@@ -434,8 +438,8 @@ static void part_sheets(contour *c) {
 
 /* ---- points of rings ---- */
 
-/* Computes the eigenvalues of the symmetric matrix m by Jacobi's rotations; they replace the diagonal of m. The columns
- * of v become the eigenvectors. */
+/* Computes the eigenvalues of the symmetric matrix m by Jacobi's rotations, and stores them in the diagonal of m. The
+ * columns of v become the eigenvectors. */
 static void eigen(double m[3][3], double v[3][3]) {
   memset(v, 0, 9 * sizeof **v);
   v[0][0] = v[1][1] = v[2][2] = 1;
@@ -462,9 +466,9 @@ static void eigen(double m[3][3], double v[3][3]) {
   }
 }
 
-/* Two normals with a scalar product below SHARP belong to an edge of the surface. A normal whose component
- * perpendicular to the plane of the others exceeds CORNER belongs to a corner. Smaller differences are the curvature of
- * a smooth surface. SHARP and CORNER are the cosine and sine of some 25 degrees. */
+/* If the scalar product of two normals is below SHARP, there is a sharp edge between them. If a normal has a component
+ * above CORNER perpendicular to the plane of the others, there is a corner. Smaller differences are the curvature of a
+ * smooth surface. SHARP and CORNER are the cosine and sine of some 25 degrees. */
 #define SHARP .9
 #define CORNER .42
 
@@ -488,9 +492,9 @@ static int rank_of(const vs_vec3 *normal, int n) {
   return leans > CORNER ? 3 : 2;
 }
 
-/* Returns the point that is nearest to all planes through the n places with the given normals. It is determined by the
- * planes in `rank` directions (0 to 3); in the other directions it is as near to `from` as possible. Coordinates along
- * the axes whose bits are set in `fixed` remain those of `from`. n > 0. */
+/* Returns the point that is nearest to all planes through the n > 0 places with the given normals. The planes determine
+ * it in `rank` directions (0 to 3); in the remaining directions it is as near to `from` as possible. Along the axes
+ * whose bits are set in `fixed`, it has the coordinates of `from`. */
 static vs_vec3 best_point(const vs_vec3 *place, const vs_vec3 *normal, int n, vs_vec3 from, int rank, unsigned fixed) {
   double m[3][3] = { { 0 } }, v[3][3], b[3] = { 0, 0, 0 }, x[3] = { 0, 0, 0 };
   VS_ASSERT(rank >= 0 && rank <= 3 && n > 0);
@@ -533,8 +537,8 @@ static vs_vec3 held_in(const ring_point *r, vs_vec3 p) {
   return vs_v3(held(p.x, r->low[0], r->high[0]), held(p.y, r->low[1], r->high[1]), held(p.z, r->low[2], r->high[2]));
 }
 
-/* Returns the point within the ring's cell that best fits the planes through the n places with the given normals. If
- * the best point is beyond a side of the cell, it is computed again within that side. */
+/* Returns the point within the ring's cell that is nearest to the planes through the n places with the given normals.
+ * If the nearest point is beyond a side of the cell, computes the nearest point in that side. */
 static vs_vec3 best_within(const ring_point *r, const vs_vec3 *place, const vs_vec3 *normal, int n, vs_vec3 from,
                            int rank) {
   vs_vec3 p = from;
@@ -554,9 +558,9 @@ static vs_vec3 best_within(const ring_point *r, const vs_vec3 *place, const vs_v
   return held_in(r, p);
 }
 
-/* Samples the surface near the points of n rings (pieces of the surface), and moves the points. If the surface is
- * smooth, the point moves onto it. If it is sharp, the point moves to the intersection of the planes on its two sides.
- * The samples are first at a larger distance and then at smaller ones. Returns false on failure. */
+/* Samples the surface near the points of n rings (pieces of the surface), and moves the points. A point on a smooth
+ * piece moves onto the surface. A point on a sharp edge moves to the intersection of the planes on both sides. Repeats
+ * this with samples at smaller and smaller distances. Returns false on failure. */
 static bool refine(contour *c, ring_point *rings, size_t n) {
   enum { LOOKS = 24, TURNS_OF_LOOKS = 3 };
   static const double reach[TURNS_OF_LOOKS] = { .4, .15, .05 };
@@ -632,9 +636,9 @@ static vs_vec3 middle_of(const vs_vec3 *at, int n) {
   return middle;
 }
 
-/* Returns true if a sharp edge of the surface passes through a cell between the crossings, which all lie on one side of
- * it. This is assumed if a neighbouring cell contains an edge, and its planes intersect this cell's planes within this
- * cell. *p: the intersection. */
+/* Returns true if a sharp edge of the surface passes through a cell although all crossings of the cell lie on one side
+ * of that edge. This is assumed if a neighbouring cell contains a sharp edge and the planes of both cells intersect
+ * within this cell. *p: the intersection. */
 static bool goes_on(const contour *c, const cell *here, const crossings *own, ring_point *r, vs_vec3 *p) {
   for (int face = 0; face < 6; face++) {
     int axis = face / 2, way = face & 1 ? 1 : -1;
@@ -709,8 +713,8 @@ static bool points(contour *c) {
 
 /* ---- faces ---- */
 
-/* Returns a measure of the distance of p from the triangle a b c: the square of its height above the plane, plus the
- * square of its largest distance beyond a side. Returns INFINITY if the triangle has no area. */
+/* Returns a measure of the distance of p from the triangle a b c: the square of its height above the triangle's plane,
+ * plus the square of its largest distance beyond a side. Returns INFINITY if the triangle has no area. */
 static double apart(vs_vec3 p, vs_vec3 a, vs_vec3 b, vs_vec3 c) {
   vs_vec3 n = vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a));
   double length = vs_v3_length(n);
@@ -725,8 +729,8 @@ static double apart(vs_vec3 p, vs_vec3 a, vs_vec3 b, vs_vec3 c) {
   return height * height + out * out;
 }
 
-/* Finds the four points around each crossed edge. The first is in the cell to which the edge belongs. Returns false
- * when memory is out. */
+/* Finds the four points around each crossed edge. The first of them is in the cell whose lowest corner is the edge's
+ * start. Returns false when memory is out. */
 static bool find_around(contour *c) {
   if (!VS_GROW(c->around, c->around_room, c->edge_count + 1)) return false;
   for (size_t i = 0; i < c->edge_count; i++) {
@@ -734,12 +738,12 @@ static bool find_around(contour *c) {
     const cell *owner = &c->cells[e->cell];
     int b = (e->axis + 1) % 3, d = (e->axis + 2) % 3;
     uint32_t *corner = c->around[i];
-    for (int k = 0; k < 4; k++) { /* visits the four cells around the axis, in the order (+ +) (- +) (- -) (+ -) */
+    for (int k = 0; k < 4; k++) { /* visits the four cells around the edge, in the order (+ +) (- +) (- -) (+ -) */
       int back = k == 1 || k == 2, down = k >= 2;
       int32_t at[3] = { owner->at[0], owner->at[1], owner->at[2] };
       at[b] -= back, at[d] -= down;
-      const cell *there = cell_at(c, at[0], at[1], at[2]); /* the cell is stored, because the surface crosses the edge,
-                                                            * which belongs to all four cells */
+      const cell *there = cell_at(c, at[0], at[1], at[2]); /* the surface crosses the edge, and so all four cells at it;
+                                                            * therefore the table contains this cell */
       corner[k] = there ? there->first + ring_of(there, 4 * e->axis + back + 2 * down) : owner->first;
     }
     if (!e->rises) {
@@ -764,8 +768,8 @@ static bool folds(const vs_vec3 *p, const uint32_t *corner, int from) {
   return vs_v3_dot(first, face_normal(p, corner[from], corner[from + 2], corner[(from + 3) % 4])) < -.9;
 }
 
-/* Makes the two triangles around each crossed edge. stands_for[r]: ring whose point replaces that of ring r; NULL: each
- * ring uses its own. Returns false when memory is out. */
+/* Makes the two triangles around each crossed edge. stands_for[r]: ring whose point replaces the point of ring r; NULL:
+ * each ring has its own point. Returns false when memory is out. */
 static bool faces(contour *c, const uint32_t *stands_for) {
   vs_contour *out = c->out;
   const vs_vec3 *p = out->points;
@@ -797,7 +801,7 @@ static bool faces(contour *c, const uint32_t *stands_for) {
   return true;
 }
 
-/* Measures the distance of the triangles' centres from the surface, to first order. Finds out whether sides of the box
+/* Measures the distance of the triangles' centres from the surface, to first order. Also finds whether sides of the box
  * are parts of the mesh. */
 static vs_contour_outcome judge(contour *c) {
   enum { BATCH = VS_SAMPLE_BATCH };
@@ -850,8 +854,8 @@ static bool has_ambiguous_side(const cell *c) {
   return false;
 }
 
-/* Merges cells in which the surface is flat within the tolerance, as long as the centres of the new triangles also stay
- * within it. Tolerance 0: flat within rounding errors. */
+/* Merges cells in which the surface is flat within the tolerance, as long as the centres of the new triangles also are
+ * within the tolerance of the surface. A tolerance of 0 means flat within rounding errors. */
 static vs_contour_outcome merge_cells(contour *c, double tolerance) {
   enum { TURNS_OF_MERGING = 4 };
   vs_contour *out = c->out;

@@ -1,5 +1,5 @@
-/* Declares the meshing of functions: a closed mesh of the region of a box in which a function, given as a tape, is
- * below 0. */
+/* Declares the meshing of functions: it makes a closed mesh around the part of a box in which a function is below 0. A
+ * tape (list of operations) describes the function. */
 #ifndef VS_GEOMETRY_FUNCTIONS_CONTOUR_H
 #define VS_GEOMETRY_FUNCTIONS_CONTOUR_H
 
@@ -13,7 +13,7 @@ typedef enum {
   VS_CONTOUR_DONE,
   VS_CONTOUR_EMPTY,     /* the function is nowhere below 0 in the box */
   VS_CONTOUR_NO_NUMBER, /* the function has no value at the point `at` */
-  VS_CONTOUR_POLE,      /* the function changes its sign through infinity, near the point `at` */
+  VS_CONTOUR_POLE,      /* the function changes its sign through infinity (a pole), near the point `at` */
   VS_CONTOUR_STOPPED,   /* the caller interrupted */
   VS_CONTOUR_MANY,      /* the mesh before merging has more triangles than out->most */
   VS_CONTOUR_MEMORY
@@ -27,17 +27,18 @@ typedef struct {
   size_t point_room, triangle_room;
   vs_vec3 at;       /* place of the fault, for VS_CONTOUR_NO_NUMBER and VS_CONTOUR_POLE */
   size_t most;      /* input: greatest number of triangles of the mesh before cells are merged; 0: no limit */
-  bool capped;      /* true if the region extends beyond the box, so that sides of the box close the mesh */
+  bool capped;      /* true if the function is below 0 up to a side of the box, so that this side closes the mesh */
   double deviation; /* largest distance of a triangle's centre from the surface, to first order */
 } vs_contour;
 
-/* A box from corner p to corner q, with p < q along each axis. It is divided into cubes, `cells` along its longest
- * side. Cubes are merged where the surface is flat within the tolerance, a length; 0: within rounding errors. */
+/* A box from corner p to corner q, with p < q along each axis, which is divided into cubes. cells: number of cubes
+ * along the box's longest side. tolerance: cubes are merged where the surface is flat within this length; 0: within
+ * rounding errors. */
 typedef struct { vs_vec3 p, q; int cells; double tolerance; } vs_contour_grid;
 
-/* Makes the mesh of the region in the grid's box where t(x, y, z) < 0. If the deviation without merging is above the
- * tolerance, no cubes are merged. The mesh is a closed manifold: each edge has two triangles, and the triangles at each
- * point form one fan. The caller frees it with vs_contour_free after any outcome. cells is 1 to VS_CONTOUR_CELLS. */
+/* Makes the mesh of the part of the grid's box where t(x, y, z) < 0. The mesh is a closed manifold. If its deviation
+ * before merging is above the tolerance, no cubes are merged. cells is 1 to VS_CONTOUR_CELLS. The caller frees the mesh
+ * with vs_contour_free after any outcome. */
 vs_contour_outcome vs_contour_make(const vs_tape *t, const vs_contour_grid *grid, vs_long_work work, vs_contour *out);
 void vs_contour_free(vs_contour *c);
 

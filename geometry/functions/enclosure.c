@@ -46,7 +46,7 @@ static vs_enclosure squared(vs_enclosure a) {
   return r;
 }
 
-/* Returns the bounds of f over the interval a, for a monotonic function f. */
+/* Returns the bounds of f over the interval a. f is monotonic and increasing. */
 static vs_enclosure rising(double (*f)(double), vs_enclosure a, bool partial) {
   return bounds(f(a.low), f(a.high), 4, partial);
 }
@@ -92,8 +92,8 @@ static vs_enclosure power(vs_enclosure a, vs_enclosure b, bool partial) {
 
 static vs_enclosure angle(vs_enclosure y, vs_enclosure x, bool partial) { /* returns the bounds of atan2(y, x) for y and
                                                                            * x in the given intervals */
-  if (x.low <= 0 && y.low <= 0 && y.high >= 0) /* the box contains a part of the negative x axis, where the angle jumps,
-                                                * or the origin */
+  if (x.low <= 0 && y.low <= 0 && y.high >= 0) /* the box of x and y contains the origin, or a part of the negative x
+                                                * axis, where the angle jumps */
     return (vs_enclosure){ -3.1415926535897936, 3.1415926535897936, partial || (x.high >= 0) };
   double p = atan2(y.low, x.low), q = atan2(y.low, x.high), r = atan2(y.high, x.low), s = atan2(y.high, x.high);
   return bounds(least(least(p, q), least(r, s)), most(most(p, q), most(r, s)), 4, partial);
@@ -171,7 +171,7 @@ vs_enclosure vs_enclose(vs_tape_operator op, vs_enclosure a, vs_enclosure b, vs_
     if (b.low != b.low) return c.partial = true, c;
     if (c.low != c.low) return b.partial = true, b;
     return (vs_enclosure){ least(b.low, c.low), most(b.high, c.high), a.partial || b.partial || c.partial };
-  case VS_TAPE_FIELD: /* fields are handled by vs_enclose_tape */
+  case VS_TAPE_FIELD: /* not reached, because vs_enclose_tape handles fields */
   case VS_TAPE_CONSTANT:
   case VS_TAPE_INPUT:
   case VS_TAPE_OPERATORS: break;
@@ -179,8 +179,8 @@ vs_enclosure vs_enclose(vs_tape_operator op, vs_enclosure a, vs_enclosure b, vs_
   return all;
 }
 
-/* Returns the bounds of a field over the box x, y, z: its value at the centre, plus and minus the distance to a
- * corner. */
+/* Returns the bounds of a field over the box x, y, z: its value at the centre, plus and minus the distance from the
+ * centre to a corner. A field changes by at most the distance between two points. */
 static vs_enclosure enclose_field(const vs_tape_field *f, vs_enclosure x, vs_enclosure y, vs_enclosure z) {
   bool partial = x.partial || y.partial || z.partial;
   if (x.low != x.low || y.low != y.low || z.low != z.low) return none;

@@ -4,20 +4,20 @@
 
 #include "geometry/functions/tape.h"
 
-/* An interval: all numbers from low to high. partial: true if the expression may have no value for some operands. If
- * low and high are NaN, it has no value at all. Bounds are rounded outwards. Therefore the exact result for any numbers
- * in the operands lies in the result. */
+/* An interval: all numbers from low to high. partial: true if the expression may have no value for some operands; if
+ * low and high are NaN, it never has one. Bounds are rounded outwards, so the exact value for any operands lies in the
+ * interval. */
 typedef struct {
   double low, high;
   bool partial;
 } vs_enclosure;
 
-/* Returns the bounds of the operator op of operators.def for operands within a, b and c. */
+/* Returns the bounds of the result of the operator op (operators.def) for all operands in the intervals a, b and c. */
 vs_enclosure vs_enclose(vs_tape_operator op, vs_enclosure a, vs_enclosure b,
                         vs_enclosure c); /* a comparison returns the interval [0 0] (false), [1 1] (true) or [0 1]
                                           * (either) */
-/* Returns the bounds of the tape's first output for inputs in the box in[0] x in[1] x ... work has room for t->count
- * enclosures. */
+/* Returns the bounds of the tape's first output for all inputs in the intervals in[0], in[1] ... work: memory for
+ * t->count intervals. */
 vs_enclosure vs_enclose_tape(const vs_tape *t, const vs_enclosure *in, vs_enclosure *work);
 
 #endif

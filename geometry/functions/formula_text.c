@@ -62,7 +62,7 @@ static bool put_number(writer *w, double d) {
   return (!negative || put(w, "(", 1)) && put(w, text, strlen(text)) && (!negative || put(w, ")", 1));
 }
 
-/* Divides the template of a step's operator into pieces of text and operands, and pushes them from the last to the
+/* Divides the template of a step's operator into pieces of text and operands. Pushes these onto the stack, the last
  * first. Returns false when memory is out. */
 static bool push_form(writer *w, const vs_tape_step *s) {
   const char *form = forms[s->op].text[w->language];
@@ -73,8 +73,8 @@ static bool push_form(writer *w, const vs_tape_step *s) {
   for (size_t end = n; ok && end > 0;) {
     size_t at = end;
     while (at > 0 && form[at - 1] != '$') at--;
-    /* plain: the text after the operand's name. form[at] is the name of an operand, and form[at + 1] to form[end - 1]
-     * is plain text; at == 0: no operand remains. */
+    /* plain: the text after an operand's name. form[at] is the name of the operand, and form[at + 1] to form[end - 1]
+     * is that text. If at == 0, no operand remains. */
     const char *plain = form + (at ? at + 1 : 0);
     size_t length = (size_t)(form + end - plain);
     if (length) ok = push(w, plain, (uint32_t)length);

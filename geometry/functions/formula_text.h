@@ -11,12 +11,12 @@ typedef enum {
   VS_FORMULA_LANGUAGES
 } vs_formula_language;
 
-enum { VS_FORMULA_MOST = 100000 }; /* greatest number of characters of a formula: a step that is used several times is
-                                    * written each time */
+enum { VS_FORMULA_MOST = 100000 }; /* greatest number of characters of a formula; a formula repeats a step that is used
+                                    * several times, so it may become very long */
 
-/* Returns output number `output` of the tape as text, with the given names of the inputs. The caller frees the text.
- * Returns NULL if the text would exceed VS_FORMULA_MOST characters or contain a field; *no_word is then true. Returns
- * NULL with *no_word false when memory is out. */
+/* Returns output number `output` of the tape as text, with the given names of the inputs; the caller frees it. Returns
+ * NULL on failure: if the text would have more than VS_FORMULA_MOST characters or contain a field, *no_word is true; if
+ * memory is out, it is false. */
 char *vs_formula_text(const vs_tape *t, uint32_t output, vs_formula_language language, const char *const *names,
                       bool *no_word);
 

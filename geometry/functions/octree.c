@@ -23,8 +23,8 @@
 enum { LEVELS = 16, EDGES = 12 };
 #define NONE UINT32_MAX
 
-/* BEND: limit on the distance of merged points from the planes, as a fraction of a node's size. A surface with more
- * curvature is not merged. */
+/* BEND: a node is merged only if the new point is within this fraction of the node's size of all planes, so that curved
+ * surfaces are not merged. */
 #define BEND .1
 /* TO_MIDDLE: weight of the distance from the part's middle, which decides between points that are equally near to the
  * planes. */
@@ -35,21 +35,21 @@ typedef struct {
   bool whole; /* true if all children of the node are merged, so that the node itself may be merged */
 } node;
 
-/* A connected part of the surface within a node of the octree that had its own point on the level below. */
+/* A connected part of the surface within a node of the octree. Before parts were joined, it had its own point. */
 typedef struct {
   uint32_t ring, node;
-  uint32_t up;            /* union-find parent of this part of the surface: a part with which it is joined, or the part
+  uint32_t up;            /* union-find parent of this part of the surface: another part with which it is joined, or
                            * itself */
   uint32_t link;          /* index of the next part of the surface in the circular list of parts that are joined with
                            * this part */
-  uint32_t count;         /* number of parts of the surface that are joined to one; valid in the first of the joined
-                           * parts */
-  uint32_t best;          /* ring (piece of the surface in a cell) whose point all joined parts may share; valid in the
-                           * first of the joined parts */
-  int32_t sides, inside;  /* valid in the first of several joined parts. sides: twice the number of cell sides between
-                           * their rings; inside: number of quads within the parts */
-  uint8_t rim[EDGES];     /* rim[i]: number of points in which the surface crosses edge i of the node; valid in the
-                           * first of several joined parts */
+  uint32_t count;         /* number of parts of the surface in this set of joined parts; valid in the set's first
+                           * part */
+  uint32_t best;          /* ring (piece of the surface in a cell) whose point all parts of this set may share; valid in
+                           * the set's first part */
+  int32_t sides, inside;  /* sides: twice the number of cell sides between the rings of the joined parts; inside: number
+                           * of quads within these parts; valid in the set's first part */
+  uint8_t rim[EDGES];     /* rim[i]: number of points in which the joined parts cross edge i of the node; valid in the
+                           * set's first part */
 } part;
 
 typedef struct {
@@ -58,12 +58,12 @@ typedef struct {
   int level;
   uint32_t *of;     /* of[r]: union-find parent of ring r (a piece of the surface in a cell); the root is the first ring
                      * of the merged part */
-  uint32_t *next;   /* next[r]: next ring in the circular list of those rings (pieces of the surface in cells) whose
-                     * parts are joined with that of ring r */
+  uint32_t *next;   /* next[r]: ring after r in the circular list of rings (pieces of the surface in cells) whose parts
+                     * of the surface are joined */
   uint32_t *rep;    /* rep[r]: for the first ring r of a part of the surface, the ring whose point represents the
                      * part */
-  uint32_t *number; /* number[r]: for the first ring r of a part, the part's index in `parts`, or NONE if the part's
-                     * node is not merged */
+  uint32_t *number; /* number[r]: for the first ring r of a part of the surface, the part's index in `parts`; NONE if
+                     * its node is not merged */
   uint32_t *start, *list; /* list[start[r]] to list[start[r + 1] - 1]: numbers of the quads (faces around crossed edges)
                            * that contain the point of ring r */
   part *parts;
@@ -144,8 +144,8 @@ static void swap(uint32_t *a, uint32_t *b) {
   *a = *b, *b = t;
 }
 
-/* Sets p[0] to p[3] to the parts of the surface to which the four rings of a quad belong; NONE if a ring's node is not
- * whole. */
+/* Sets p[0] to p[3] to the parts of the surface that contain the four rings of a quad; NONE for a ring whose node
+ * cannot be merged. */
 static void parts_around(octree *o, uint32_t quad, uint32_t *p) {
   for (int k = 0; k < 4; k++) {
     p[k] = o->number[first_ring(o, o->l->around[quad][k])];
@@ -193,7 +193,7 @@ static void count(octree *o) {
   }
 }
 
-/* ---- conditions for one common point ---- */
+/* ---- conditions under which a part of the surface gets one common point ---- */
 
 static bool is_disc(const part *p) {
   int all = 0;
@@ -204,8 +204,8 @@ static bool is_disc(const part *p) {
   }
   for (int face = 0; face < 6; face++) {
     int b = (face / 2 + 1) % 3, d = (face / 2 + 2) % 3, side = face & 1;
-    /* lines: number of lines in which the part crosses this face. The position of an edge along b on the face is bit 1
-     * of its number, that of an edge along d is bit 0. */
+    /* lines: number of lines in which the part of the surface crosses this face of the node. An edge's position along b
+     * is bit 1 of its number, its position along d is bit 0. */
     int lines =
         p->rim[4 * b + 2 * side] + p->rim[4 * b + 2 * side + 1] + p->rim[4 * d + side] + p->rim[4 * d + side + 2];
     if (lines != 0 && lines != 2) return false;

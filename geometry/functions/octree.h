@@ -1,5 +1,5 @@
-/* Declares an octree over the cells of a dual contour (a mesh of a function), which replaces several points by one
- * where the surface is flat. */
+/* Declares an octree over the cells of a mesh that was made from a function (dual contouring). It replaces several
+ * points of the mesh by one where the surface is flat. */
 #ifndef VS_GEOMETRY_FUNCTIONS_OCTREE_H
 #define VS_GEOMETRY_FUNCTIONS_OCTREE_H
 
@@ -19,8 +19,8 @@ typedef struct {
                                    * and within the cell */
   const int32_t (*place)[3];      /* place[r]: position in the grid of the cell that contains ring r, a piece of the
                                    * surface */
-  const bool *barred;             /* barred[r]: true if ring r's cell must not be merged, because another sheet of the
-                                   * surface passes through a side of this cell */
+  const bool *barred;             /* barred[r]: true if ring r's cell must not be merged, because two sheets of the
+                                   * surface pass through one side of this cell */
   const uint32_t (*around)[4];    /* around[q]: the four rings (pieces of the surface in cells) that quad q connects, in
                                    * order around a crossed edge of the grid */
   const uint8_t *axis;            /* axis[q]: axis (0 to 2) of the grid's edge that quad q surrounds */
@@ -32,9 +32,9 @@ typedef struct {
 
 typedef enum { VS_OCTREE_DONE, VS_OCTREE_STOPPED, VS_OCTREE_MEMORY } vs_octree_outcome;
 
-/* Sets stands_for[r] to the ring whose point replaces that of ring r, or to r if it is not merged. If each quad uses
- * these points, without repeated points, the mesh remains a closed manifold. A point that replaces others is within
- * `tolerance` of the planes through all their crossings. tolerance is at least 0. */
+/* Sets stands_for[r] to the ring whose point replaces the point of ring r; to r if nothing replaces it. With these
+ * points, and without corners that a quad then repeats, the mesh remains a closed manifold. A point that replaces
+ * others is within `tolerance`, at least 0, of the planes through all their crossings. */
 vs_octree_outcome vs_octree_merge(const vs_octree_leaves *leaves, double tolerance, uint32_t *stands_for);
 
 #endif

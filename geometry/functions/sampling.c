@@ -15,9 +15,9 @@
 
 enum { BATCH = VS_SAMPLE_BATCH };
 
-/* WIDE marks functions that are compiled twice. On processors with AVX2, four numbers are processed at a time instead
- * of two, with identical results. It is empty with a sanitizer, because the loader selects the function before the
- * sanitizer is initialised. */
+/* WIDE marks functions that are compiled twice: on processors with AVX2, four numbers are processed at a time instead
+ * of two, with identical results. With a sanitizer it is empty, because the loader would choose between the two before
+ * the sanitizer is initialised. */
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
 #define WIDE __attribute__((target_clones("avx2", "default")))
@@ -59,8 +59,8 @@ static size_t assign_lanes(vs_sampler *s) {
   for (size_t i = 0; i < t->count; i++) {
     const vs_tape_step *step = &t->step[i];
     bool used_before = idle_count && step->op != VS_TAPE_CONSTANT;
-    /* The step gets its lane before the lanes of its operands become free. Therefore no step writes to a lane that it
-     * reads. */
+    /* The step gets its lane (array of numbers) before the lanes of its operands become free. Therefore no step writes
+     * to a lane from which it reads. */
     s->lane[i] = used_before ? idle[--idle_count] : lanes++;
     int n = vs_tape_operands((vs_tape_operator)step->op);
     for (int k = 0; k < n; k++)
@@ -132,7 +132,8 @@ WIDE static void values(const vs_tape_step *step, double *restrict r, const doub
   }
 }
 
-/* Computes the partial derivatives of a step whose values are r: p by its operand a, and q by its operand b. */
+/* Computes the partial derivatives of a step's result by its operands: p by the operand a, and q by the operand b. r:
+ * the step's values. */
 static void partials(const vs_tape_step *step, const double *r, const double *a, const double *b, double *p,
                      double *q) {
 #define BOTH(by_a, by_b)                                                                                               \
@@ -193,8 +194,9 @@ static void slopes(int count, const vs_tape_step *step, double *r, const double 
     if (step->op == VS_TAPE_CHOOSE)
       for (int i = 0; i < BATCH; i++) to[i] = a[i] != 0 ? db[i] : dc[i];
     else if (operands == 1)
-      for (int i = 0; i < BATCH; i++) to[i] = da[i] == 0 ? 0 : p[i] * da[i]; /* avoids the product 0 * inf, for example
-                                                                              * of a square root at 0 */
+      for (int i = 0; i < BATCH; i++) to[i] = da[i] == 0 ? 0 : p[i] * da[i]; /* avoids the product 0 * inf, which would
+                                                                              * be NaN, for example at a square root of
+                                                                              * 0 */
     else
       for (int i = 0; i < BATCH; i++) to[i] = (da[i] == 0 ? 0 : p[i] * da[i]) + (db[i] == 0 ? 0 : q[i] * db[i]);
   }
@@ -217,7 +219,7 @@ static void field(const vs_tape_field *f, int count, size_t n, double *r, const 
 static void batch(vs_sampler *s, const double *const *in, size_t from, size_t n, double *const *out,
                   double *const *slope) {
   const vs_tape *t = s->t;
-  bool in_place = !slope && n == BATCH; /* true: inputs are read directly from the caller's arrays, and the value of a
+  bool in_place = !slope && n == BATCH; /* true if inputs are read directly from the caller's arrays, and the value of a
                                          * single output is written directly to the caller's array */
   VS_ASSERT(n <= BATCH);
   for (size_t k = 0; k < t->count; k++) {

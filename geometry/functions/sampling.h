@@ -11,20 +11,20 @@ enum { VS_SAMPLE_BATCH = 128, VS_SAMPLE_SLOPES = 3 };
  * may use a sampler. */
 typedef struct vs_sampler vs_sampler;
 
-/* Returns a new sampler. slopes: number of inputs, from the first on, for which slopes are computed, 0 to
- * VS_SAMPLE_SLOPES. Returns NULL when memory is out. */
+/* Returns a new sampler for tape t. slopes: number of inputs, beginning with the first, by which derivatives are
+ * computed; 0 to VS_SAMPLE_SLOPES. Returns NULL when memory is out. */
 vs_sampler *vs_sampler_new(const vs_tape *t, int slopes);
 void vs_sampler_free(vs_sampler *s);
 
-/* Evaluates the tape at n points. in[k][i]: input k of point i; out[k][i] becomes output k of point i, or NaN if it has
- * no value. */
+/* Evaluates the tape at n points. in[k][i]: input k of point i; out[k][i]: receives output k of point i, or NaN if that
+ * output has no value. */
 void vs_sample(vs_sampler *s, const double *const *in, size_t n, double *const *out);
-/* Evaluates n points as vs_sample does, and computes the slopes of the first output: slope[j][i] becomes its derivative
- * by input j at point i. At a kink it is the derivative on one side. */
+/* Evaluates n points as vs_sample does, and computes the derivatives of the first output: slope[j][i] receives its
+ * derivative by input j at point i. At a kink it is the derivative on one side. */
 void vs_sample_slopes(vs_sampler *s, const double *const *in, size_t n, double *const *out, double *const *slope);
 
-/* The values of one parameter in a grid of points: n numbers from a to b, both included. at: index of the current
- * number. */
+/* The values of one coordinate of a grid of points: n equally spaced numbers from a to b, both included. at: index of
+ * the current number. */
 enum { VS_SAMPLE_KNOWN = 256 };
 typedef struct {
   double a, b;
@@ -34,8 +34,8 @@ typedef struct {
 /* Moves the range r to its first value. r->a, b and n must be set, and n > 0. */
 void vs_sample_begin(vs_sample_range *r);
 
-/* Fills in[i][0] to in[i][count - 1] with the parameters of the next points of the grid, and advances. The last range
- * changes fastest. There is at least one range, and count is at most VS_SAMPLE_BATCH. */
+/* Fills in[k][0] to in[k][count - 1] with coordinate k of the next `count` points of the grid, and advances. Of the
+ * ranges, at least one, the last changes fastest. count is at most VS_SAMPLE_BATCH. */
 void vs_sample_points(vs_sample_range *r, uint32_t inputs, double (*in)[VS_SAMPLE_BATCH], int count);
 /* Returns true if one of the `count` numbers is NaN. */
 bool vs_sample_nan(const double *at, int count);

@@ -156,13 +156,13 @@ uint32_t vs_tape_add(vs_tape *t, vs_tape_operator op, uint32_t a, uint32_t b, ui
   VS_ASSERT(op > VS_TAPE_INPUT && op < VS_TAPE_OPERATORS);
   for (int i = 0; i < n; i++)
     if (s.of[i] >= t->count)
-      return UINT32_MAX; /* an operand has the number UINT32_MAX, because memory was out when it was added */
+      return UINT32_MAX; /* an operand is UINT32_MAX, because memory was out when the operand was added */
     else if (t->step[s.of[i]].op != VS_TAPE_CONSTANT)
       constant = false;
     else
       v[i] = t->step[s.of[i]].value;
   if (constant) return vs_tape_constant(t, vs_tape_apply(op, v[0], v[1], v[2]));
-  /* These simplifications do not change any result. x * 0 is not simplified, because x may be NaN. */
+  /* These simplifications never change a result. x * 0 is not replaced by 0, because x may be NaN. */
   if (op == VS_TAPE_ADD && is_constant(t, a, 0)) return b;
   if ((op == VS_TAPE_ADD || op == VS_TAPE_SUB) && is_constant(t, b, 0)) return a;
   if (op == VS_TAPE_MUL && is_constant(t, a, 1)) return b;
@@ -186,7 +186,7 @@ uint32_t vs_tape_add(vs_tape *t, vs_tape_operator op, uint32_t a, uint32_t b, ui
   return step_number(t, &s);
 }
 
-/* Returns the index of field f in the tape's list of fields, to which it is added if necessary, or UINT32_MAX when
+/* Returns the index of field f in the tape's list of fields. Adds f to the list if necessary. Returns UINT32_MAX when
  * memory is out. */
 static uint32_t field_number(vs_tape *t, vs_tape_field *f) {
   for (size_t i = 0; i < t->field_count; i++)

@@ -21,14 +21,14 @@ typedef enum {
 
 enum { VS_TAPE_INPUTS = 16, VS_TAPE_OUTPUTS = 3, VS_TAPE_STEPS = 100000 };
 
-/* A function of three numbers that is not an expression, such as the distance from a mesh. Its values at two points
+/* A function of a point in space that is not an expression, such as the distance from a mesh. Its values at two points
  * differ by at most the distance of the points. It has a reference count. */
 typedef struct vs_tape_field vs_tape_field;
 struct vs_tape_field {
   uint32_t refs;
-  double (*value)(const vs_tape_field *f, const double at[3], double slope[3]); /* returns the value at a point and sets
-                                                                                 * slope to the gradient; slope may be
-                                                                                 * NULL */
+  double (*value)(const vs_tape_field *f, const double at[3], double slope[3]); /* returns the value at the point `at`
+                                                                                 * and sets slope, unless it is NULL, to
+                                                                                 * the gradient */
   void (*release)(vs_tape_field *f);                                            /* frees the field; called when the last
                                                                                  * reference to f is released */
 };
@@ -36,18 +36,18 @@ void vs_tape_field_release(vs_tape_field *f); /* releases one reference to the f
 
 typedef struct {
   uint32_t op;
-  uint32_t of[3]; /* indices of the step's operands, which are earlier steps; if the step is an input, of[0] is the
-                   * input's number; unused elements are 0 */
+  uint32_t of[3]; /* indices of the step's operands, which are earlier steps. If the step is an input, of[0] is the
+                   * number of the input. Unused elements are 0. */
   double value;   /* for a constant: its value; for a field: its index in the tape's list of fields */
 } vs_tape_step;
 
 typedef struct vs_tape {
   vs_tape_step *step;
   size_t count, room;
-  uint32_t *index; /* hash table with the index of a step + 1 in each slot; 0 marks a free slot; the number of slots is
-                    * a power of two */
+  uint32_t *index; /* hash table in which a step with given contents is found: a slot has the index of a step plus 1; 0
+                    * marks a free slot; the number of slots is a power of two */
   size_t slots;
-  vs_tape_field **field; /* fields that the steps use; the tape has a reference to each */
+  vs_tape_field **field; /* fields that the steps use; the tape holds one reference to each field */
   size_t field_count, field_room;
   uint32_t inputs, outputs, output[VS_TAPE_OUTPUTS];
 } vs_tape;
@@ -56,8 +56,8 @@ typedef struct vs_tape {
 vs_tape *vs_tape_new(uint32_t inputs);
 void vs_tape_free(vs_tape *t);         /* frees the tape t, which may be NULL */
 
-/* vs_tape_constant, vs_tape_input, vs_tape_add and vs_tape_add_field return the index of the step that they add or
- * find. They return UINT32_MAX when memory is out or the tape has VS_TAPE_STEPS steps. */
+/* vs_tape_constant, vs_tape_input, vs_tape_add and vs_tape_add_field return the index of a step: an equal step that the
+ * tape has, or a new one. They return UINT32_MAX when memory is out or the tape has VS_TAPE_STEPS steps. */
 uint32_t vs_tape_constant(vs_tape *t, double value);
 uint32_t vs_tape_input(vs_tape *t, uint32_t number); /* adds a step for the input with this number, which is below the
                                                       * number of inputs */

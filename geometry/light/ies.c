@@ -1,5 +1,5 @@
-/* Reads files of lamps: IES LM-63, Standard File Format for the Electronic Transfer of Photometric Data. It accepts the
- * editions of 1986 (which has no line for the edition), 1991, 1995 and 2002. */
+/* Reads files of lamps in the format IES LM-63, Standard File Format for the Electronic Transfer of Photometric Data.
+ * It accepts the editions of 1986 (which does not name its edition in a line), 1991, 1995 and 2002. */
 #include "geometry/light/ies.h"
 
 #include <math.h>
@@ -38,7 +38,7 @@ static bool ies_labels(ies_text *t) {
   while (ies_line(t, &from, &count)) {
     if (count > LINE_MOST || memchr(from, 0, count)) return ies_wrong(t, "this is no text of an IES file");
     if (count < 5 || memcmp(from, "TILT=", 5) != 0) continue;
-    if (count == 9 && !memcmp(from + 5, "NONE", 4)) return t->line++, true; /* the numbers begin in the next line */
+    if (count == 9 && !memcmp(from + 5, "NONE", 4)) return t->line++, true; /* the numbers begin on the next line */
     return ies_wrong(t, "only IES files with TILT=NONE can be read");
   }
   return ies_wrong(t, "this is no IES file: it has no line TILT=NONE");
@@ -54,7 +54,8 @@ static bool ies_number(ies_text *t, const char *what, double least, double most,
   for (; t->at < t->end && is_blank(*t->at); t->at++) t->line += *t->at == '\n';
   while (t->at < t->end && !is_blank(*t->at) && count + 1 < WORD_MOST) word[count++] = *t->at++;
   word[count] = 0;
-  bool plain = strspn(word, "0123456789+-.eE") == count; /* `plain` rejects "nan", "inf" and hexadecimal numbers */
+  bool plain = strspn(word, "0123456789+-.eE") == count; /* `plain` is false for "nan", "inf" and hexadecimal numbers,
+                                                          * which strtod would accept */
   *out = plain ? strtod(word, &rest) : 0;
   if (count > 0 && plain && *rest == 0 && isfinite(*out) && *out >= least && *out <= most) return true;
   return vs_error_set(t->error, VS_ERROR_MODEL, NULL,
@@ -79,19 +80,19 @@ static bool ies_angles(ies_text *t, const char *what, double most, double *at, u
 }
 
 static const double *horizontals_of(const vs_ies *x) { return x->at + x->verticals; }
-/* Returns the candelas of horizontal angle number i, one for each vertical angle. */
+/* Returns the intensities in candelas at horizontal angle number i, one for each vertical angle. */
 static const double *row_of(const vs_ies *x, uint32_t i) {
   VS_ASSERT(i < x->horizontals);
   return x->at + x->verticals + x->horizontals + (size_t)i * x->verticals;
 }
 
-/* Returns true if the format allows the range of horizontal angles: a full turn, or a part that symmetry extends to a
- * full turn. */
+/* Returns true if the format allows the range of horizontal angles: a full turn, or a part of a turn that symmetry
+ * completes. */
 static bool ies_is_round(const ies_text *t, const vs_ies *x) {
   const double *h = horizontals_of(x), last = h[x->horizontals - 1];
   if (h[0] == 0 && (last == 0 || last == 90 || last == 180 || last == 360)) return true;
   if (h[0] == 90 && last == 270) return true;
-  /* Many makers omit the row of 360 degrees, which would repeat that of 0. */
+  /* Many makers omit the row for 360 degrees, which would repeat the row for 0. */
   if (h[0] == 0 && last > 180 && last < 360) return true;
   return ies_wrong(t, "the horizontal angles must go from 0 to 0, 90, 180 or 360, or from 90 to 270");
 }
@@ -144,8 +145,8 @@ void vs_ies_free(vs_ies *ies) {
   *ies = (vs_ies){ .store = ies->store };
 }
 
-/* Finds the angles before and after `angle` in the ascending array `at`: indices *i and *i + 1. *share: position
- * between these two, 0 to 1. Returns false if the angle is outside the range. count is at least 1. */
+/* Finds the angles before and after `angle` in the ascending array `at`: the indices *i and *i + 1. *share: position of
+ * `angle` between the two, 0 to 1. Returns false if `angle` is outside the range. count is at least 1. */
 static bool between(const double *at, uint32_t count, double angle, uint32_t *i, double *share) {
   uint32_t low = 0, high = count - 1;
   VS_ASSERT(count > 0);
@@ -173,7 +174,7 @@ double vs_ies_candelas(const vs_ies *x, double vertical, double horizontal) {
   if (!between(x->at, x->verticals, vertical, &i, &down)) return 0;
   horizontal = fmod(fmod(horizontal, 360) + 360, 360);
   if (last == 0) return along(x, 0, i, down);
-  if (first == 90) { /* the file has angles from 90 to 270 degrees, which symmetry extends to a full turn */
+  if (first == 90) { /* the file's angles go from 90 to 270 degrees, and symmetry completes the turn */
     if (horizontal < 90) horizontal = 180 - horizontal;
     else if (horizontal > 270) horizontal = 540 - horizontal;
   } else if (last <= 180) {
