@@ -33,23 +33,24 @@ void vs_marks_set(vs_marks *m, size_t i, bool in) {
   for (int k = 0; k < m->levels; k++, i /= 64) {
     uint64_t *word = &m->level[k][i / 64], bit = UINT64_C(1) << i % 64;
     if (in) *word |= bit;
-    else if ((*word &= ~bit) != 0) return; /* the word still has other bits, so the bit for it in the next level stays
-                                            * set */
+    else if ((*word &= ~bit) != 0) return; /* the word still has other bits, so its bit in the next level stays set, and
+                                            * no higher level changes */
   }
 }
 
 static int marks_first(uint64_t word) { return __builtin_ctzll(word); }
 
-/* In vs_marks_next, the index i is valid in every level, because each level has one word more than it needs. */
+/* vs_marks_next may use index i in every level, even after the last word, because each level has one word more than it
+ * needs. */
 size_t vs_marks_next(const vs_marks *m, size_t from) {
   size_t i = from;
-  for (int k = 0; k < m->levels; k++, i = i / 64 + 1) { /* goes up to the first level in which the word of index i has a
-                                                         * bit from i on */
+  for (int k = 0; k < m->levels; k++, i = i / 64 + 1) { /* goes up to the first level at which a bit is set at position
+                                                         * i or after it in the same word */
     uint64_t rest = m->level[k][i / 64] & ~UINT64_C(0) << i % 64;
     if (rest == 0) continue;
     i = i / 64 * 64 + (size_t)marks_first(rest);
-    while (k-- > 0) i = i * 64 + (size_t)marks_first(m->level[k][i]); /* goes down again, to the first bit of each
-                                                                       * word */
+    while (k-- > 0) i = i * 64 + (size_t)marks_first(m->level[k][i]); /* goes down again; in each level, takes the first
+                                                                       * bit that is set in the word */
     return i;
   }
   return SIZE_MAX;

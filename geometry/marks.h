@@ -6,8 +6,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { VS_MARK_LEVELS = 11 }; /* greatest number of levels of words in a set, of which each has a 64th of the words of
-                               * the level below; suffices for any set that fits into memory */
+enum { VS_MARK_LEVELS = 11 }; /* Greatest number of levels in a set. Each level has a 64th of the words of the level
+                               * below, so this suffices for any set that fits into memory. */
 /* A set of numbers. Bit i of level 0 is set if i is a member. Bit i of level k + 1 is set if word i of level k is not
  * 0. */
 typedef struct { uint64_t *level[VS_MARK_LEVELS]; int levels; } vs_marks;

@@ -1,4 +1,4 @@
-/* Finds the curves or surfaces that are the parts of a set.
+/* Finds the parts of a set of curves or surfaces.
  *
  * Placements, materials and layers may be above a set, between sets, and above a part. The walk replaces a set by its
  * children, and wraps each child in the wrappers above the set. It does so again for each child that is a set. The

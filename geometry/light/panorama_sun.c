@@ -1,9 +1,9 @@
 /* Removes the sun from a picture of a sky.
  *
  * The sun is a small disc, a hundred thousand times as bright as the sky. Only few of the renderer's random rays hit
- * it, so the picture becomes blotched. A separate light for the sun is exact and casts a shadow. All light within
- * `reach` of the brightest pixel that exceeds the mean of the ring from `reach` to `ring` belongs to the sun, including
- * its glare. The direction of the sun is the centroid of that light. */
+ * it, so the picture becomes blotched. A separate light for the sun is exact and casts a shadow. The sun and its glare
+ * are the light within the angle `reach` of the brightest pixel, as far as it exceeds the mean of the ring of sky from
+ * `reach` to `ring`. The direction of the sun is the centroid of that light. */
 #include "geometry/light/panorama_sun.h"
 
 #include <math.h>
@@ -48,7 +48,7 @@ static bool brightest(const panorama *p, uint32_t *row, uint32_t *column) {
 typedef void each_fn(void *to, const panorama *p, size_t pixel, double angle, vs_vec3 direction);
 
 /* Calls `each` for each pixel whose angle from the direction `middle` is between `from` and `end` degrees, from <= end.
- * Skips rows that cannot contain such a pixel. */
+ * Skips rows without such a pixel. */
 static void within(const panorama *p, vs_vec3 middle, double from, double end, each_fn *each, void *to) {
   double high = asin(fmax(-1, fmin(1, middle.z)));
   VS_ASSERT(from <= end);
@@ -97,8 +97,8 @@ bool vs_panorama_take_sun(vs_exr *x, vs_panorama_sun *sun) {
   if (!p.plane[0] || !p.plane[1] || !p.plane[2] || x->columns < 64 || !brightest(&p, &row, &column)) return false;
   double peak = luminance_at(&p, (size_t)row * x->columns + column);
   vs_vec3 middle = direction_of(&p, row, column);
-  for (int turn = 0; turn < 2; turn++) { /* the first pass collects light around the brightest pixel, the second around
-                                          * the centroid of the light found in the first */
+  for (int turn = 0; turn < 2; turn++) { /* the first pass collects the light around the brightest pixel; the second
+                                          * pass collects it around the centroid that the first has found */
     g.angle = 0, g.weight = 0, g.middle = vs_v3(0, 0, 0);
     for (int k = 0; k < 3; k++) g.light[k] = 0;
     within(&p, middle, reach, ring, add_light, &g);

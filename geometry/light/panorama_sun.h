@@ -6,9 +6,10 @@
 #include "model/vec.h"
 
 typedef struct {
-  vs_vec3 direction; /* unit vector towards the sun; the middle of the picture is north (+Y), its top the zenith */
-  vs_vec3 light;     /* illuminance by the sun, as red, green and blue, of a surface perpendicular to its rays: sum of
-                      * the pixels' values times their solid angles */
+  vs_vec3 direction; /* unit vector towards the sun, with Z up; the middle of the picture is north (+Y), and its top is
+                      * the zenith */
+  vs_vec3 light;     /* illuminance (red, green, blue) that the sun gives to a surface perpendicular to its rays: the
+                      * sum of its pixels' values times their solid angles */
 } vs_panorama_sun;
 
 /* Finds the sun in a picture of the sky that is twice as wide as high, and replaces it by the light around it. Returns

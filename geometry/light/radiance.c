@@ -34,8 +34,8 @@ static bool read_head(radiance_bytes *b, unsigned long *columns, unsigned long *
   return false;
 }
 
-/* Reads a row of pixels into `to`, one colour component after another. Returns false if the file ends too early or a
- * run of equal bytes exceeds the row. */
+/* Reads a row of pixels into `to`, all red bytes first, then green, blue and exponents. Returns false if the file ends
+ * too early or a run of equal bytes is longer than the row. */
 static bool read_row(radiance_bytes *b, unsigned char *to, size_t columns) {
   const unsigned char *at = b->at;
   bool packed = columns >= 8 && columns < 32768 && b->end - at >= 4 && at[0] == 2 && at[1] == 2 &&
@@ -71,8 +71,8 @@ bool vs_radiance_read(vs_store *store, const vs_file_bytes *file, vs_exr *out, v
   *out = (vs_exr){ .store = store };
   if (!read_head(&b, &columns, &rows)) return wrong(e, name, "this is no Radiance picture from the upper left");
   if (!vs_raster_size(name, columns, rows, e)) return false;
-  /* Even the shortest coding takes more than one byte for 32 pixels. This check prevents the allocation of more memory
-   * than the file can fill. */
+  /* Even the shortest coding has more than one byte for 32 pixels. A file that is too short for its stated size is
+   * refused before memory is allocated. */
   if ((size_t)(b.end - b.at) < (size_t)columns * rows / 32) return wrong(e, name, "the Radiance file is cut off");
   out->columns = (uint32_t)columns, out->rows = (uint32_t)rows;
   unsigned char *row = vs_store_realloc(store, NULL, 0, 4 * columns);

@@ -33,8 +33,8 @@ static void bounds_add_arc(vs_bounds *b, const vs_affine *a, const struct vs_arc
   }
 }
 
-/* Returns the tolerance for shapes that are sampled, from their approximate bounds. It is finer than the default
- * tolerance of drawings of these shapes. */
+/* Returns the tolerance with which shapes are sampled for their bounds, computed from their approximate bounds. It is
+ * finer than the default tolerance of drawings. */
 static double bounds_fineness(const vs_bounds *b) {
   double d = vs_bounds_diagonal(b);
   return d > 0 && isfinite(d) ? d / 65536 : 1e-6;
@@ -65,8 +65,8 @@ static bool bounds_add_swept(vs_bounds *b, const vs_affine *a, const vs_node *n,
     }
   }
   vs_swept_free(&plan);
-  /* A solid whose walls lean inwards stays within the straight extrusion. The extrusion's bounds contain it even if it
-   * intersects itself. */
+  /* A solid whose walls lean inwards stays within the extrusion with vertical walls, even if it intersects itself. The
+   * bounds are therefore those of that extrusion. */
   if (n->kind == VS_EXTRUDE && VS_AS(extrude, n)->taper != 0) {
     vs_bounds leaning = vs_bounds_empty();
     vs_mesh m = { 0 };
@@ -139,8 +139,8 @@ static bool bounds_spline(vs_bounds *b, const vs_affine *a, const vs_node *n, vs
   return ok;
 }
 
-/* Enlarges b by the bounds of a leaf n mapped by a. children: bounds of its children in their own coordinates, for
- * swept solids. Sets *leaf to false if n is no leaf. Returns false with *leaf true on failure. */
+/* Enlarges b by the bounds of a leaf n mapped by a. children: bounds of its children in their own coordinates, needed
+ * for swept solids. Sets *leaf to false if n is no leaf. Returns true in that case; returns false on failure. */
 static bool bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds *children, vs_bounds *b, bool *leaf,
                         vs_error *e) {
   *leaf = true;
@@ -182,7 +182,7 @@ static bool bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds *c
     case VS_REGION:
 #include "model/cases/passed_cases.def"
       break;
-    case VS_HULL: /* the hull's points; if the hull also has parts, their bounds are added elsewhere */
+    case VS_HULL: /* adds the hull's points; if the hull also has children, their bounds are added elsewhere */
       if (n->child_count) break;
       vs_reach_points(b, a, VS_AS(hull, n)->points->at, VS_AS(hull, n)->points->count);
       return true;
@@ -191,7 +191,7 @@ static bool bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds *c
   return true;
 }
 
-/* ---- the memo of bounds; children are computed before parents ---- */
+/* ---- the memo, which stores the bounds of nodes; the bounds of children are computed before those of parents ---- */
 
 void vs_bounds_memo_free(vs_bounds_memo *m) {
   vs_store *s = m->places.store;
@@ -220,8 +220,8 @@ static const vs_bounds *bounds_memo_known(const vs_bounds_memo *m, const vs_node
   return place ? &m->at[*place] : NULL;
 }
 
-/* Reduces the bounds b of the children of n, a section or projection, to those of n. A section lies in its plane and in
- * the bounds of its solid. A projection lies in the projection of these bounds. */
+/* n is a section or projection, and b contains the bounds of its children. Reduces b to the bounds of n: for a
+ * projection, to the bounds projected onto the plane; for a section, to the part of these in b. */
 static void bounds_on_plane(vs_bounds *b, const vs_node *n) {
   vs_bounds solid = *b, shadow = vs_bounds_empty();
   vs_vec3 at = n->kind == VS_SECTION ? VS_AS(section, n)->point : VS_AS(project, n)->point;
@@ -236,12 +236,12 @@ static void bounds_on_plane(vs_bounds *b, const vs_node *n) {
   if (n->kind == VS_SECTION) vs_bounds_meet(b, &solid);
 }
 
-/* Returns true for a leaf with a single parent. The bounds of such a leaf are not stored, but computed when the parent
- * needs them. To store a million of them would cost more time than their formulas. */
+/* Returns true for a leaf with a single parent. The bounds of such a leaf are computed when the parent needs them,
+ * because storing a million of them would take more time. */
 static bool bounds_is_lone_leaf(const vs_node *n) { return n->child_count == 0 && n->refs == 1; }
 
-/* Sets *b to the bounds of node n in its own coordinates if it is of one of the commonest primitive kinds. Returns
- * false for other kinds. It is faster than bounds_leaf: a drawing may contain a million such nodes. */
+/* Sets *b to the bounds of node n in its own coordinates if n is one of the commonest primitives. Returns false for
+ * other kinds. It is faster than bounds_leaf, because a drawing may contain a million such nodes. */
 static bool bounds_plain(const vs_node *n, vs_bounds *b) {
   vs_vec3 at[2], reach[2];
   switch ((int)n->kind) {
@@ -279,8 +279,8 @@ static bool bounds_plain(const vs_node *n, vs_bounds *b) {
   return true;
 }
 
-/* Sets *b to the bounds of node n, which are in the memo, or are computed if n is a leaf whose formula needs no
- * children. Returns false on failure. */
+/* Sets *b to the bounds of node n: from the memo, or by a formula for a leaf with a single parent, which is not in the
+ * memo. Returns false on failure. */
 static bool bounds_child(const vs_bounds_memo *m, const vs_node *n, vs_bounds *b, vs_error *e) {
   bool lone = bounds_is_lone_leaf(n);
   if (lone && bounds_plain(n, b)) return true;
@@ -292,15 +292,15 @@ static bool bounds_child(const vs_bounds_memo *m, const vs_node *n, vs_bounds *b
   return known || bounds_leaf(n, &here, &none, b, &leaf, e);
 }
 
-static bool bounds_is_axial(const vs_affine *a) { /* returns true if the map maps axis-parallel boxes to axis-parallel
+static bool bounds_is_axial(const vs_affine *a) { /* returns true if a maps axis-parallel boxes to axis-parallel
                                                    * boxes */
   for (int i = 0; i < 3; i++)
     if ((a->m[i][0] != 0) + (a->m[i][1] != 0) + (a->m[i][2] != 0) > 1) return false;
   return true;
 }
 
-static bool bounds_is_swept(const vs_node *n) { /* returns true if the formula for the kind of n is costlier than the
-                                                 * bounds of a mapped box */
+static bool bounds_is_swept(const vs_node *n) { /* returns true if n is of a kind whose bounds cost so much to compute
+                                                 * that a placed node uses its mapped box instead */
   if (n->kind == VS_EXTRUDE && n->child_count == 1) {
     const vs_node *profile = n->children[0].node;
     while (profile->kind == VS_REGION && profile->child_count == 1) profile = profile->children[0].node;
@@ -309,9 +309,9 @@ static bool bounds_is_swept(const vs_node *n) { /* returns true if the formula f
   return vs_node_has(n, VS_IS_SAMPLED);
 }
 
-/* TURNED_DEEP: greatest depth of sets, TURNED_EACH: greatest number of steps for one set, TURNED_MOST: for a memo, in
- * computing bounds under a rotation part by part. Thus the result does not depend on whether the rotation is applied to
- * the whole set or to each part. All nodes of the set are in the memo. *done: false if a limit is exceeded. */
+/* Limits for computing the bounds of a set under a rotation part by part, so that they do not depend on whether the set
+ * or each part is rotated. TURNED_DEEP: depth of sets; TURNED_EACH: steps for one set; TURNED_MOST: steps for all sets
+ * of a memo. *done: false if a limit is exceeded. All nodes of the set are in the memo. */
 enum { TURNED_DEEP = 32, TURNED_EACH = 2048, TURNED_MOST = 1 << 20 };
 static bool bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affine *map, vs_bounds *out, bool *done,
                           vs_error *e) {
@@ -327,7 +327,7 @@ static bool bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affine *
     const vs_node *at = level[top].node;
     bool down =
         vs_node_is_set(at) && level[top].next < at->child_count && !(at->kind == VS_DIFFERENCE && level[top].next > 0);
-    if (vs_node_is_set(at) && level[top].next) { /* b contains the bounds of the set's previous member */
+    if (vs_node_is_set(at) && level[top].next) { /* adds the bounds of the set's previous member, which are in b */
       if (at->kind == VS_INTERSECTION && level[top].next > 1) vs_bounds_meet(&level[top].all, &b);
       else vs_bounds_unite(&level[top].all, &b);
     }
@@ -357,15 +357,15 @@ static bool bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affine *
   return true;
 }
 
-/* Sets *b to the bounds of node n. Each child is in the memo, or is a leaf with a single parent. children: bounds of
- * all children together. Returns false on failure. */
+/* Sets *b to the bounds of node n. Its children are in the memo, or are leaves with a single parent. children: bounds
+ * of all its children together. Returns false on failure. */
 static bool bounds_of(vs_bounds_memo *m, const vs_node *n, vs_bounds children, vs_bounds *b, vs_error *e) {
   vs_affine placed = vs_affine_identity();
   vs_bounds child;
   bool leaf;
   *b = vs_bounds_empty();
-  if (n->kind == VS_TRANSFORM) { /* A placed primitive has a formula. Only a few placements in sequence are followed,
-                                  * because long sequences would take quadratic time. */
+  if (n->kind == VS_TRANSFORM) { /* A placed primitive has a formula. Only a few placements around each other are
+                                  * followed, because a long sequence would take quadratic time. */
     const vs_node *below = n;
     for (int steps = 0; steps < 16 && (below->kind == VS_TRANSFORM || vs_node_is_wrapper(below)); steps++) {
       if (below->kind == VS_TRANSFORM) placed = vs_affine_multiply(&placed, &VS_AS(transform, below)->matrix);
@@ -391,8 +391,8 @@ static bool bounds_of(vs_bounds_memo *m, const vs_node *n, vs_bounds children, v
     vs_bounds_meet(b, &kept);
   }
   if (n->kind == VS_SECTION || n->kind == VS_PROJECT) bounds_on_plane(b, n);
-  if (n->kind == VS_DEFORM && !vs_bounds_is_empty(b)) { /* a point of a deformed solid is a weighted mean of the control
-                                                         * points */
+  if (n->kind == VS_DEFORM && !vs_bounds_is_empty(b)) { /* each point of a deformed solid is a weighted mean of the
+                                                         * control points, so their bounds contain it */
     const struct vs_deform *d = VS_AS(deform, n);
     const vs_vec3 corner[8] = { d->c000, d->c100, d->c010, d->c110, d->c001, d->c101, d->c011, d->c111 };
     *b = vs_bounds_empty();
@@ -406,8 +406,8 @@ static bool bounds_of(vs_bounds_memo *m, const vs_node *n, vs_bounds children, v
   return true;
 }
 
-typedef struct { vs_ref ref; uint32_t next; vs_bounds children; /* children: bounds of those children of ref that come
-                                                                 * before child number `next` */ } vs_bounds_step;
+typedef struct { vs_ref ref; uint32_t next; vs_bounds children; /* children: bounds of the first `next` children of ref
+                                                                 * together */ } vs_bounds_step;
 
 bool vs_bounds_memo_get(vs_bounds_memo *m, const vs_node *n, vs_bounds *out, vs_error *e) {
   vs_store *s = m->places.store;
@@ -457,8 +457,8 @@ bool vs_bounds_memo_get(vs_bounds_memo *m, const vs_node *n, vs_bounds *out, vs_
   return ok;
 }
 
-/* Reduces *b to the bounds of n, an intersection or difference of regions, by its outline. At the call, *b contains the
- * bounds of the operands. Returns false on failure. */
+/* n is an intersection or difference of regions, and *b contains the bounds of its operands. Reduces *b to the bounds
+ * of n's outline. Returns false on failure. */
 static bool bounds_of_set(const vs_node *n, vs_bounds *b, vs_error *e) {
   vs_fineness f = { bounds_fineness(b), 0 };
   vs_outline o;

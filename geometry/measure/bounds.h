@@ -10,14 +10,14 @@
  * for sets of these under rotations. For very large sets they may be larger than necessary. For sweeps and splines they
  * are the bounds of fine samples. Does not recurse; visits each shared node once. */
 bool vs_node_bounds(const vs_node *n, vs_bounds *out, vs_error *e);
-/* A memo stores the bounds of many nodes of one model, so that later calls find them. */
+/* A memo: it stores the bounds of many nodes of one model, so that later calls need not compute them. */
 /* initial value of an empty memo: { .places.store = s } */
 typedef struct { vs_nodemap places; vs_bounds *at; size_t count, room, turned; } vs_bounds_memo;
 bool vs_bounds_memo_get(vs_bounds_memo *m, const vs_node *n, vs_bounds *out, vs_error *e);
 void vs_bounds_memo_free(vs_bounds_memo *m);
 
-/* Sets from and to to the ends of the part of a line that lies in b. The line goes through p in the direction d; if
- * `ray`, it begins at p. Returns false if no part lies in b. */
+/* Clips a line to the box b: sets *from and *to to the ends of the part in b. The line goes through p in the direction
+ * d; if `ray` is true, it begins at p. Returns false if no part lies in b. */
 bool vs_line_clip(vs_vec3 p, vs_vec3 d, bool ray, const vs_bounds *b, vs_vec3 *from, vs_vec3 *to);
 
 #endif

@@ -1,7 +1,6 @@
-/* Implements the faces of a mesh (face_edges.h). A union of triangles across edges that are not sharp makes the faces.
- * A face that is neither plane nor round is divided once more, between facets of unequal widths: a straight wall that
- * runs into an arc becomes a plane and a cylinder. The sharp edges between one pair of faces, end to end, make an
- * edge. */
+/* Implements the faces of a mesh (face_edges.h). Triangles on both sides of an edge that is not sharp are in one face.
+ * A face that is neither plane nor round is then divided between facets of unequal widths, so that a straight wall and
+ * the arc that it runs into become a plane and a cylinder. The sharp edges between two faces are joined end to end. */
 #include "geometry/measure/face_edges.h"
 
 #include <stdlib.h>
@@ -10,10 +9,12 @@
 #include "model/store/array.h"
 #include "model/store/disjoint.h"
 
-/* Folds, in radians, from which an edge is sharp: within a round primitive, between primitives of which one is round,
- * and elsewhere. EXACT: deviation from a plane or cylinder, as a part of the face's size. */
+/* Least angle of a fold, in radians, that makes an edge sharp. WITHIN: within one round primitive; BETWEEN: between two
+ * primitives of which one is round; ELSEWHERE: at all other edges. EXACT: allowed deviation from a plane or cylinder,
+ * as a fraction of the mesh's size. */
 static const double WITHIN = .5236, BETWEEN = .21, ELSEWHERE = 1e-4, EXACT = 1e-6;
-/* FLAT: fold of coplanar triangles. UNEQUAL: ratio of the widths of two facets from which they are divided. */
+/* FLAT: greatest angle of a fold between coplanar triangles, in radians. UNEQUAL: two facets are divided if one is this
+ * many times as wide as the other. */
 static const double FLAT = 1e-3, UNEQUAL = 2;
 static const double PI = 3.14159265358979323846;
 
@@ -32,7 +33,8 @@ static int across(const vs_mesh_edges *s, uint32_t t, uint32_t e) {
   return s->of[t][0] == e ? 0 : s->of[t][1] == e ? 1 : 2;
 }
 
-/* Returns the angle within the material at edge e of two triangles, pi where they are coplanar. */
+/* Returns the angle in radians, measured within the material, between the two triangles at edge e; it is pi if they are
+ * coplanar. */
 static double angle_at(const vs_mesh_edges *s, uint32_t e) {
   uint32_t t = s->edges[e].side[0], u = s->edges[e].side[1];
   vs_vec3 n = vs_v3_unit(area_vector(s, t)), m = vs_v3_unit(area_vector(s, u));
@@ -50,7 +52,7 @@ static bool is_sharp(const vs_mesh_edges *s, const uint32_t *leaf, const bool *r
   return fold > (leaf[t] == leaf[u] ? WITHIN : BETWEEN);
 }
 
-/* ---- forms ---- */
+/* ---- form of a face: plane, cylinder or other ---- */
 
 typedef struct {
   const vs_mesh_edges *s;
@@ -68,8 +70,8 @@ static bool is_plane(const face_triangles *f, const vs_mesh_face *face) {
   return true;
 }
 
-/* Sets the axis direction: perpendicular to the first normal and to the one that differs most. Returns false if the
- * normals are not all perpendicular to one direction. */
+/* Sets *axis to the direction of the axis of a cylinder: perpendicular to the first triangle's normal and to the normal
+ * that differs most from it. Returns false if some normal is not perpendicular to the axis. */
 static bool axis_of(const face_triangles *f, vs_vec3 *axis) {
   vs_vec3 n = vs_v3_unit(area_vector(f->s, f->list[0]));
   double most = 0;
@@ -79,13 +81,14 @@ static bool axis_of(const face_triangles *f, vs_vec3 *axis) {
   }
   if (!(most > 1e-3)) return false;
   for (size_t i = 0; i < f->count; i++) {
-    vs_vec3 v = area_vector(f->s, f->list[i]); /* thin triangles have inexact normals, but a small area */
+    vs_vec3 v = area_vector(f->s, f->list[i]); /* area times normal: a thin triangle has an inexact normal, but counts
+                                                * little because of its small area */
     if (fabs(vs_v3_dot(v, *axis)) > EXACT * f->size * sqrt(vs_v3_length(v))) return false;
   }
   return true;
 }
 
-/* Finds the circle through the corners, seen along the axis. Returns false if there is none. */
+/* Finds the circle through all corners of the triangles, as seen along the axis. Returns false if there is none. */
 static bool circle_of(const face_triangles *f, vs_vec3 axis, vs_vec3 *center, double *radius) {
   vs_vec3 a = vs_mesh_edges_place(f->s, f->list[0], 0), x, y;
   x = vs_v3_unit(vs_v3_cross(axis, fabs(axis.x) < .9 ? vs_v3(1, 0, 0) : vs_v3(0, 1, 0)));
@@ -168,7 +171,7 @@ static bool describe_all(const vs_mesh_edges *s, vs_mesh_faces *out) {
 
 /* ---- edges ---- */
 
-/* A mesh edge between two faces, low and high. */
+/* An edge of the mesh between two faces; low, high: numbers of these faces. */
 typedef struct {
   uint32_t low, high, edge;
   bool done;
@@ -181,7 +184,8 @@ static int by_faces(const void *p, const void *q) {
   return a->edge < b->edge ? -1 : a->edge > b->edge;
 }
 
-/* Returns an edge of the list, not done yet, at vertex v, or NULL. *uses: number of the list's edges at v. */
+/* Returns an edge of the list at vertex v that is not in a chain yet, or NULL. *uses: number of the list's edges at
+ * v. */
 static between *next_at(const vs_mesh_edges *s, between *list, size_t n, uint32_t v, size_t *uses) {
   between *found = NULL;
   *uses = 0;
@@ -200,7 +204,7 @@ static bool add_point(vs_mesh_faces *out, vs_vec3 p) {
   return true;
 }
 
-/* Adds the chain that begins with the mesh edge `start` at vertex v. */
+/* Adds a chain, a row of mesh edges that follow each other; it begins with the mesh edge `start` at vertex v. */
 static bool add_chain(const vs_mesh_edges *s, between *list, size_t n, between *start, uint32_t v, vs_mesh_faces *out) {
   vs_face_edge e = { .face = { start->low, start->high }, .first = out->count };
   uint32_t from = v;
@@ -222,7 +226,7 @@ static bool add_chain(const vs_mesh_edges *s, between *list, size_t n, between *
   return true;
 }
 
-/* Adds the chains of the mesh edges between one pair of faces: first those that have ends, then closed ones. */
+/* Adds the chains (rows of mesh edges) between two faces: first the chains that have ends, then the closed chains. */
 static bool add_chains(const vs_mesh_edges *s, between *list, size_t n, vs_mesh_faces *out) {
   bool ok = true;
   size_t uses;
@@ -262,14 +266,14 @@ typedef struct {
   const vs_mesh_edges *s;
   const uint32_t *leaf;
   const bool *round;
-  bool *sharp;     /* for each edge */
-  double *width;   /* for each triangle: the width of its facet, across its longest fold */
-  uint32_t *up;    /* the union of triangles that is being made */
+  bool *sharp;     /* sharp[e]: true if edge e of the mesh is sharp */
+  double *width;   /* width[t]: width of the facet that contains triangle t, across the longest fold at its border */
+  uint32_t *up;    /* parents of the triangles in a union-find structure, whose sets become the faces */
 } division;
 
 static bool is_flat(const vs_mesh_edges *s, uint32_t e) { return fabs(angle_at(s, e) - PI) <= FLAT; }
 
-/* Computes the widths of facets: of coplanar triangles, their area by the longest edge around them. */
+/* Computes the widths of facets (coplanar triangles): a facet's area divided by its longest edge to another facet. */
 static bool widths(division *d) {
   const vs_mesh_edges *s = d->s;
   size_t n = s->m->triangle_count;
@@ -296,8 +300,8 @@ static bool widths(division *d) {
   return ok;
 }
 
-/* Returns true if the triangles beside edge e, which is not sharp, are in one face. fine: facets of unequal widths are
- * not. */
+/* Returns true if the triangles beside edge e, which is not sharp, belong to one face. fine: if true, facets of unequal
+ * widths belong to different faces. */
 static bool joined(const division *d, uint32_t e, bool fine) {
   uint32_t t = d->s->edges[e].side[0], u = d->s->edges[e].side[1];
   if (is_flat(d->s, e)) return true;
@@ -305,7 +309,7 @@ static bool joined(const division *d, uint32_t e, bool fine) {
   return !fine || (d->width[t] < UNEQUAL * d->width[u] && d->width[u] < UNEQUAL * d->width[t]);
 }
 
-/* Divides the triangles into faces, in out->of and out->faces. */
+/* Divides the triangles into faces; writes the face of each triangle to out->of, and the faces to out->faces. */
 static bool divide(division *d, bool fine, vs_mesh_faces *out) {
   const vs_mesh_edges *s = d->s;
   size_t n = s->m->triangle_count;
@@ -323,7 +327,8 @@ static bool divide(division *d, bool fine, vs_mesh_faces *out) {
   return ok && describe_all(s, out);
 }
 
-/* Replaces each face of out that is neither plane nor round by its faces in `fine`, if all of these are. */
+/* Replaces each face of out that is neither plane nor round by the faces of `fine` that it consists of, if each of
+ * these is plane or round. */
 static bool refine(const vs_mesh_edges *s, const vs_mesh_faces *fine, vs_mesh_faces *out) {
   size_t n = s->m->triangle_count;
   bool *better = NULL, ok = VS_FRESH(better, out->face_count + 1);

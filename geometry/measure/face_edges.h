@@ -10,18 +10,22 @@ typedef enum { VS_FACE_PLANE, VS_FACE_CYLINDER, VS_FACE_OTHER } vs_face_form;
 typedef struct {
   vs_face_form form;
   double area;
-  vs_vec3 normal;    /* plane: unit normal; cylinder: unit direction of the axis; others: the mean normal */
-  vs_vec3 at;        /* plane: the centroid; cylinder: the point of the axis nearest to the centroid */
+  vs_vec3 normal;    /* for a plane: its unit normal; for a cylinder: unit direction of its axis; for other faces: mean
+                      * of the normals, as a unit vector */
+  vs_vec3 at;        /* for a cylinder: the point of its axis nearest to the face's centroid; for other faces: the
+                      * centroid */
   double radius;     /* radius of a cylinder; negative if the material lies outside of it */
-  uint32_t first;    /* a triangle of the face */
+  uint32_t first;    /* index of the first of the face's triangles */
 } vs_mesh_face;
 
-/* An edge: a chain of mesh edges between two faces. */
+/* An edge between two faces: a chain of mesh edges that follow each other. */
 typedef struct {
   uint32_t face[2];
-  size_t first, count; /* the edge's points: at[first] to at[first + count - 1]; a closed edge repeats no point */
+  size_t first, count; /* range of the edge's points: at[first] to at[first + count - 1] of vs_mesh_faces; a closed edge
+                        * does not repeat its first point */
   bool closed;
-  double angle;        /* the angle within the material: less than pi if the edge is convex */
+  double angle;        /* angle between the two faces in radians, measured within the material; below pi if the edge is
+                        * convex */
 } vs_face_edge;
 
 typedef struct {
@@ -32,10 +36,9 @@ typedef struct {
   size_t face_count, face_room, edge_count, edge_room, count, room;
 } vs_mesh_faces;
 
-/* Finds the faces and edges of a closed mesh. leaf[t] is the number of the primitive from which triangle t came.
- * round[t] is true if the triangles of that primitive approximate a curved surface. Triangles of one round primitive
- * that fold by at most 30 degrees are in one face; so are coplanar triangles. Returns false when memory is out. The
- * caller frees out in either case. */
+/* Finds the faces and edges of a closed mesh. leaf[t]: number of the primitive from which triangle t came; round[t]:
+ * true if this primitive is round. Triangles of one round primitive that fold by at most 30 degrees are in one face; so
+ * are coplanar triangles. Returns false when memory is out. The caller frees out in either case. */
 bool vs_mesh_faces_find(const vs_mesh_edges *s, const uint32_t *leaf, const bool *round, vs_mesh_faces *out);
 void vs_mesh_faces_free(vs_mesh_faces *f);
 

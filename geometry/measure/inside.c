@@ -1,9 +1,9 @@
 /* Tests whether a point is inside a solid. The test uses formulas and the sections of sweeps, but no mesh of the
  * kernel.
  *
- * The model is prepared once, and each distinct node only once: bounds in its own coordinates, inverses of placements,
- * plans of swept solids. A test walks the tree with an explicit stack, and maps the point into the coordinates of each
- * placement. It skips nodes by their bounds, and stops at the first part that decides the answer. In a drawing of
+ * The model is prepared once, and each distinct node only once: its bounds, the inverses of placements, and the
+ * sections of swept solids. A test walks the tree with an explicit stack, and maps the point into the coordinates of
+ * each placement. It skips nodes by their bounds, and stops at the first part that decides the answer. In a drawing of
  * disjoint parts it takes one test of a box for each part.
  *
  * Between the sections S_0 and S_1 of a sweep, a point p lies in the section t with g(t) = (X_t x Y_t) . (p - O_t) = 0.
@@ -29,9 +29,9 @@
 typedef struct {
   const vs_node *node;
   vs_bounds bounds;
-  vs_affine inverse;  /* for a placement: map into the child's coordinates; for a solid with an axis: map into the
-                       * axis's frame */
-  double height;      /* length of the axis of a solid with an axis */
+  vs_affine inverse;  /* for a placement: map into the child's coordinates; for a solid with an axis: map into a frame
+                       * whose Z axis is that axis */
+  double height;      /* for a solid with an axis: length of this axis */
   size_t *children;   /* children[i]: index of the part that was prepared for child i */
   vs_swept *plan;
   vs_revolve *turned;
@@ -46,7 +46,7 @@ struct vs_inside {
   vs_inside_part *parts;
   size_t count, room, first;
   vs_inside_level *stack;
-  size_t cost; /* approximate number of bytes of memory that this prepared node takes */
+  size_t cost; /* approximate memory of this prepared node, in bytes */
 };
 
 /* ---- formulas ---- */
@@ -215,7 +215,7 @@ static bool inside_prepare(vs_inside_part *part, const vs_nodemap *places, doubl
   switch ((vs_kind)n->kind) {
     case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
     case VS_EMPTY: case VS_GHOST: case VS_SLICE: case VS_DEFORM: return true;
-    /* Curves and regions, which occur as profiles, contain no point. */
+    /* A curve or region, which occurs as a profile, has no volume and so contains no point. */
     case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: return true;
 #include "model/cases/shape_cases.def"
       return inside_prepare_axis(part);
@@ -232,7 +232,8 @@ static bool inside_prepare(vs_inside_part *part, const vs_nodemap *places, doubl
     case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
       return n->class_ != VS_SOLID || inside_prepare_facets(part, tolerance, e);
     case VS_TRANSFORM:
-      /* If a placement flattens its child, the result contains no point, so its bounds are empty. */
+      /* A placement that flattens its child has no inverse. The flattened child contains no point, so its bounds are
+       * empty. */
       if (!vs_affine_invert(&VS_AS(transform, n)->matrix, &part->inverse)) part->bounds = vs_bounds_empty();
       break;
     case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
@@ -335,7 +336,7 @@ bool vs_inside_test(vs_inside *v, vs_vec3 p) {
       part = x->children[0];
       continue;
     }
-    for (;;) { /* passes the answer from node to parent, until an ancestor needs the answers of further children */
+    for (;;) { /* passes the answer up from node to parent, until a parent needs the answer of another child */
       if (!depth) return answer;
       vs_inside_level *top = &v->stack[depth - 1];
       const vs_inside_part *above = &v->parts[top->part];
@@ -345,8 +346,8 @@ bool vs_inside_test(vs_inside *v, vs_vec3 p) {
       else if (kind == VS_INTERSECTION) decided = !answer;
       else if (kind == VS_DIFFERENCE) {
         decided = first ? !answer : answer;
-        if (!first) answer = !answer; /* in a difference, a point inside a subtracted operand is outside the result */
-      } else decided = true; /* a node with one child contains the point if the child does */
+        if (!first) answer = !answer; /* the child is subtracted, so a point inside it is outside the difference */
+      } else decided = true; /* a node with one child contains the point if its child does */
       if (decided || top->next == above->node->child_count) {
         depth--;
         continue;
@@ -366,7 +367,7 @@ bool vs_node_contains(const vs_node *n, vs_vec3 p, bool *inside, vs_error *e) {
   return true;
 }
 
-/* ---- tests of several nodes in any order ---- */
+/* ---- a cache, for tests of several nodes in any order ---- */
 
 enum { CACHE_SLOTS = 8192, CACHE_BYTES = 50 << 20 };
 struct vs_inside_cache { size_t bytes; vs_inside *at[CACHE_SLOTS]; };
@@ -387,7 +388,7 @@ void vs_inside_cache_free(vs_inside_cache *c) {
 bool vs_inside_cached(vs_inside_cache **cache, const vs_node *n, vs_vec3 p, bool *inside, vs_error *e) {
   if (!*cache && !(*cache = vs_zeros(1, sizeof **cache))) return vs_error_memory(e, NULL);
   vs_inside_cache *c = *cache;
-  /* Nodes with equal values have equal shapes. Therefore the prepared data of a node can be used for any equal node. */
+  /* Equal nodes have equal shapes. Therefore the prepared data of one can be used for the other. */
   vs_inside **slot = &c->at[(n->hash ^ n->hash >> 32) % CACHE_SLOTS];
   if (!*slot || ((*slot)->root != n && !((*slot)->root->hash == n->hash && vs_node_equal((*slot)->root, n, NULL)))) {
     vs_inside *new = vs_inside_new(n, e);

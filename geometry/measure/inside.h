@@ -15,8 +15,8 @@ vs_inside *vs_inside_new(const vs_node *n, vs_error *e);
 vs_inside *vs_inside_within(const vs_node *n, double tolerance, vs_error *e);
 bool vs_inside_test(vs_inside *v, vs_vec3 p);
 void vs_inside_free(vs_inside *v);
-/* A cache of prepared nodes for callers that test the same few thousand nodes in any order with vs_node_contains. The
- * prepared data take up to some 50 MB; the cache has a reference to each node. *cache is NULL at the first call. */
+/* A cache of prepared nodes, for callers that test the same few thousand nodes in any order, as vs_node_contains does.
+ * It takes at most some 50 MB, and holds a reference to each of its nodes. *cache is NULL at the first call. */
 typedef struct vs_inside_cache vs_inside_cache;
 bool vs_inside_cached(vs_inside_cache **cache, const vs_node *n, vs_vec3 p, bool *inside, vs_error *e);
 void vs_inside_cache_free(vs_inside_cache *cache);

@@ -9,7 +9,7 @@ typedef struct {
                     * mesh */
   double volume;   /* volume of a solid, in cubic model units */
   double area;     /* area of a solid's surface, or of a region, in square model units */
-  bool area_known; /* true if the area is known; false if only the volume has a formula, as for a sphere with different
+  bool area_known; /* true if `area` is known; false if only the volume has a formula, as for a sphere with different
                     * scales along its axes */
   double length;   /* length of a curve, in model units */
   vs_vec3 centroid;

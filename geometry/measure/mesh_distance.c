@@ -10,14 +10,14 @@
 enum { LEAF = 4, DEPTH = 64 };
 
 typedef struct {
-  vs_vec3 corner[3], face, edge[3], point[3]; /* point: corners of the facet; face, edge, corner: normals of the face,
-                                               * of each edge and at each corner; edge[k] goes from corner k to the next
-                                               * corner */
+  vs_vec3 corner[3], face, edge[3], point[3]; /* point: corners of the facet; face: normal of the facet; edge[k]: normal
+                                               * at the edge from corner k to the next corner; corner[k]: normal at
+                                               * corner k */
 } facet;
 typedef struct {
   vs_bounds bounds;
   uint32_t first, count; /* first, count: range of facets in a leaf of the tree; count 0: the node is no leaf, and its
-                          * children are the nodes first and first + 1 */
+                          * children have the indices first and first + 1 */
 } box;
 
 struct vs_mesh_distance {
@@ -122,7 +122,7 @@ vs_mesh_distance *vs_mesh_distance_new(const vs_mesh *m) {
   return d;
 }
 
-/* Returns the point of facet f that is nearest to p, and sets *normal to the normal there (C. Ericson, Real-Time
+/* Returns the point of facet f that is nearest to p. Sets *normal to the normal at that point (C. Ericson, Real-Time
  * Collision Detection, 5.1.5). */
 static vs_vec3 nearest(const facet *f, vs_vec3 p, const vs_vec3 **normal) {
   vs_vec3 a = f->corner[0], b = f->corner[1], c = f->corner[2], ab = vs_v3_sub(b, a), ac = vs_v3_sub(c, a);
@@ -144,8 +144,8 @@ static vs_vec3 nearest(const facet *f, vs_vec3 p, const vs_vec3 **normal) {
   return vs_v3_add(a, vs_v3_add(vs_v3_scale(ab, vb / sum), vs_v3_scale(ac, vc / sum)));
 }
 
-/* Returns the distance of `at` from the interval from low to high, or 0 if it lies inside. Does not use fmax, which is
- * a function call. */
+/* Returns the distance of the number `at` from the interval from low to high; 0 if it lies inside. Does without fmax,
+ * which would be a function call. */
 static inline double outside(double low, double high, double at) {
   double below = low - at, above = at - high, off = below > above ? below : above;
   return off > 0 ? off : 0;
@@ -161,8 +161,8 @@ double vs_mesh_distance_at(const vs_mesh_distance *d, vs_vec3 p, vs_vec3 *slope)
   struct {
     uint32_t box;
     double away;
-  } stack[DEPTH]; /* DEPTH suffices for the stack: the tree has at most as many levels as the number of facets has bits,
-                   * and each level needs one entry. */
+  } stack[DEPTH]; /* The stack has enough entries: the tree has at most as many levels as the number of facets has bits,
+                   * and a traversal needs one entry for each level. */
   int todo = 0;
   double best = INFINITY;
   vs_vec3 at = p, normal = { 0, 0, 1 };

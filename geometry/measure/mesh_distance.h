@@ -4,11 +4,11 @@
 
 #include "model/mesh.h"
 
-/* A closed mesh that is prepared for queries of distances. It has a bounding volume hierarchy. The normals of faces,
- * edges and points distinguish inside from outside (J. Baerentzen, H. Aanaes, 2005). */
+/* A closed mesh, prepared for queries of distances with a bounding volume hierarchy. Normals of faces, edges and points
+ * show which side is inside (J. Baerentzen, H. Aanaes, 2005). */
 typedef struct vs_mesh_distance vs_mesh_distance;
 
-/* Prepares mesh m for queries, and copies the data it needs. Facets that share a point must use one index for it.
+/* Prepares mesh m for queries, and copies the data it needs. Facets with a common point must have one index for it.
  * Returns NULL when memory is out. */
 vs_mesh_distance *vs_mesh_distance_new(const vs_mesh *m);
 void vs_mesh_distance_free(vs_mesh_distance *d); /* frees d, which may be NULL */

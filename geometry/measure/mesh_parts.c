@@ -1,5 +1,5 @@
-/* Implements the parts of a mesh (mesh_parts.h). Shells are found first, by a union of all triangles around each point.
- * A shell with a negative volume is the wall of a cavity; it joins the smallest shell that winds around it. */
+/* Implements the parts of a mesh (mesh_parts.h). Shells, sets of triangles with common points, are found first. A shell
+ * with a negative volume is the wall of a cavity. It becomes part of the smallest shell that winds around it. */
 #include "geometry/measure/mesh_parts.h"
 
 #include <stdlib.h>
@@ -17,11 +17,13 @@ void vs_mesh_parts_free(vs_mesh_parts *p) {
 typedef struct {
   double volume;
   vs_bounds box;
-  uint32_t joins; /* the shell whose part this shell belongs to */
-  uint32_t first; /* the shell's first triangle */
+  uint32_t joins; /* number of the shell that bounds the same part from outside, if this shell is the wall of a cavity;
+                   * else its own number */
+  uint32_t first; /* index of the shell's first triangle */
 } shell;
 
-/* Returns the solid angle of the shell as seen from p, in full turns: 1 inside, 0 outside. */
+/* Returns the solid angle of the shell number `which` as seen from p, in full turns: 1 if p is inside the shell, 0
+ * outside. */
 static double turns(const vs_mesh *m, const uint32_t *of, uint32_t which, vs_vec3 p) {
   double sum = 0;
   for (size_t t = 0; t < m->triangle_count; t++) {
@@ -47,7 +49,7 @@ static void measure(const vs_mesh *m, const uint32_t *of, shell *s) {
   }
 }
 
-/* Finds for the wall of each cavity the shell around it. */
+/* For the wall of each cavity, finds the smallest shell that surrounds it. */
 static void enclose(const vs_mesh *m, const uint32_t *of, shell *s, uint32_t count) {
   for (uint32_t i = 0; i < count; i++) {
     if (!(s[i].volume < 0)) continue;

@@ -31,8 +31,8 @@ static vs_vec2 flat(const vs_affine *map, vs_vec3 p) {
   return (vs_vec2){ q.x, q.y };
 }
 
-/* Returns a piece for the arc from the angle `from` to `to` of the circle with radius r about center, mapped by
- * `map`. */
+/* Returns a piece for an arc of the circle with radius r about center, from the angle `from` to the angle `to`, in
+ * radians, mapped by `map`. */
 static piece arc_piece(const vs_affine *map, vs_vec3 center, double r, double from, double to) {
   vs_vec3 a = vs_affine_vector(map, vs_v3(r, 0, 0)), b = vs_affine_vector(map, vs_v3(0, r, 0));
   return (piece){ true, flat(map, center), { a.x, a.y }, { b.x, b.y }, from, to };
@@ -67,8 +67,8 @@ static void turn_round(pieces *p, size_t first) {
   }
 }
 
-/* Appends the pieces of curve n, mapped by `map`, which is not a join of curves. Sets *known to false if its kind has
- * no exact formula. Returns false when memory is out. */
+/* Appends the pieces of curve n, mapped by `map`. n is no join of curves. Sets *known to false if there is no exact
+ * formula for its kind. Returns false when memory is out. */
 static bool leaf(const vs_node *n, vs_affine map, pieces *out, bool *known) {
   vs_offset_exact exact;
   vs_affine place;
@@ -109,7 +109,7 @@ static bool curve(const vs_node *n, vs_affine map, pieces *out, bool *known) {
     ok = leaf(n->children[i].node, map, out, known);
     if (!ok || !*known || !first || out->count == first) continue;
     vs_vec2 start = piece_start(&out->at[first]), end = piece_end(&out->at[out->count - 1]);
-    if (i == 1) { /* when curves are joined, the first may be reversed to connect it to the second */
+    if (i == 1) { /* in a join, the first curve may have to be reversed, so that its end is at the second curve */
       vs_vec2 head = piece_start(&out->at[0]), tail = piece_end(&out->at[first - 1]);
       if (fmin(apart(head, start), apart(head, end)) < fmin(apart(tail, start), apart(tail, end))) {
         pieces before = { out->at, first, first };
@@ -142,7 +142,7 @@ static moments integrate(const pieces *p) {
       m = plus(m, straight(x->c, x->a));
       continue;
     }
-    if (fabs(x->to - x->from) == turn) { /* the arc is a full ellipse with the centre c */
+    if (fabs(x->to - x->from) == turn) { /* the piece is a full ellipse with the centre c */
       double area = turn / 2 * (x->a.x * x->b.y - x->a.y * x->b.x) * (x->to < x->from ? -1 : 1);
       m = plus(m, (moments){ area, area * x->c.x, area * x->c.y });
       continue;
@@ -194,7 +194,7 @@ bool vs_region_moments(const vs_node *region, const vs_outline *o, double *area,
     free(p.at);
     size_t best = o->count;
     double least = INFINITY;
-    for (size_t l = 0; l < o->count; l++) { /* finds the sampled loop of the outline that belongs to this curve */
+    for (size_t l = 0; l < o->count; l++) { /* finds the loop of the sampled outline that was made from this curve */
       double size = sqrt(m.area),
              off = fabs(loops[l].area - m.area) * size + fabs(loops[l].x - m.x) + fabs(loops[l].y - m.y);
       if (!taken[l] && off < least) least = off, best = l;

@@ -1,16 +1,18 @@
-/* Implements meshes whose faces are moved (moved_faces.h). A corner moves by the shortest vector v with n . v = d for
- * each face around it, where n is the face's new normal there and d its distance. Three planes give one point; more of
- * them must agree. A curved face has at a corner the mean normal of its triangles. */
+/* Implements meshes whose faces are moved (moved_faces.h). Each corner moves by the shortest vector v with n . v = d
+ * for every face at the corner, where n is the face's new normal there and d its distance. Three planes determine
+ * the point; further planes must pass through it. For a curved face, n is the mean normal of its triangles at the
+ * corner. */
 #include "geometry/measure/moved_faces.h"
 
 #include <stdlib.h>
 
 #include "model/store/array.h"
 
-enum { FACES_MOST = 64 }; /* faces around a corner */
-static const double MISS = 1e-6; /* deviation that is ignored at a corner, as a part of the mesh's size */
+enum { FACES_MOST = 64 }; /* greatest number of faces at one corner */
+static const double MISS = 1e-6; /* greatest deviation of a corner from a moved face that counts as 0, as a fraction of
+                                  * the mesh's size */
 
-/* A face at a corner. */
+/* A face at a corner of the mesh. */
 typedef struct {
   uint32_t corner, face;
   vs_vec3 normal; /* sum of the normals of the face's triangles at the corner, weighted by their angles */
@@ -52,8 +54,8 @@ static meeting *meetings(const vs_mesh_edges *s, const vs_mesh_faces *faces, siz
   return m;
 }
 
-/* Returns the shortest v with n[i] . v = d[i], by orthogonalising the normals one after the other. *miss: the largest
- * deviation of the normals that depend on earlier ones. */
+/* Returns the shortest vector v with n[i] . v = d[i] for all i. The first three independent normals determine v. *miss:
+ * the largest deviation |n[i] . v - d[i]| for the remaining normals. */
 static vs_vec3 shortest(const vs_vec3 *n, const double *d, size_t count, double *miss) {
   vs_vec3 base[3], v = { 0, 0, 0 };
   int rank = 0;
@@ -70,8 +72,9 @@ static vs_vec3 shortest(const vs_vec3 *n, const double *d, size_t count, double 
   return v;
 }
 
-/* Returns true if no edge between two faces is reversed, and no triangle of a curved face is turned over; else sets *at
- * to the place. Triangles within a plane face may overlap: solids/overlaps.h. */
+/* Returns true if the move has reversed no edge between two faces and turned over no triangle of a curved face.
+ * Otherwise sets *at to the position. Overlaps of triangles within a plane face are found elsewhere:
+ * solids/overlaps.h. */
 static bool upright(const vs_mesh_edges *s, const vs_mesh_faces *faces, const vs_mesh *out, vs_vec3 *at) {
   const vs_vec3 *old = s->m->vertices, *new = out->vertices;
   for (size_t e = 0; e < s->edge_count; e++) {

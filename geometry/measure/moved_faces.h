@@ -4,9 +4,10 @@
 
 #include "geometry/measure/face_edges.h"
 
-/* The new position of a face. */
+/* How one face moves. */
 typedef struct {
-  bool tilted;          /* true: the face moves to the plane through `at` with this normal; it must be a plane face */
+  bool tilted;          /* true: the face, which must be plane, moves to the plane through `at` with the normal
+                         * `normal` */
   vs_vec3 at, normal;
   double distance;      /* distance by which a face that is not tilted moves outwards; negative: inwards */
 } vs_face_move;
@@ -14,12 +15,13 @@ typedef struct {
 typedef enum {
   VS_MOVED,
   VS_MOVED_MEMORY, /* memory is out */
-  VS_MOVED_CORNER, /* the moved faces do not meet in one point at the corner *at */
-  VS_MOVED_TURNED  /* the face at *at is turned over: the distance is too large */
+  VS_MOVED_CORNER, /* no point lies on all moved faces around the corner at *at */
+  VS_MOVED_TURNED  /* the face at *at has turned over, because it was moved too far */
 } vs_moved_outcome;
 
-/* Sets the vertices of `out`, a copy of the mesh of s, to the points where the moved faces meet. moves[i] is the move
- * of face i. Faces may then intersect elsewhere: solids/overlaps.h. Sets *at if the outcome is a failure. */
+/* Moves faces: sets the vertices of `out`, a copy of the mesh of s, to the intersections of the moved faces. moves[i]:
+ * move of face i. Faces may then intersect elsewhere, which solids/overlaps.h finds. If the result is a failure, sets
+ * *at to its position. */
 vs_moved_outcome vs_faces_move(const vs_mesh_edges *s, const vs_mesh_faces *faces, const vs_face_move *moves,
                                vs_mesh *out, vs_vec3 *at);
 

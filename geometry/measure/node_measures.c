@@ -16,8 +16,8 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* Returns the circumference of a circle of radius r mapped by a, which may be an ellipse. Its half axes are the
- * singular values of the map on the circle's plane. */
+/* Returns the circumference of a circle of radius r after the map a, which may make it an ellipse. The half axes of the
+ * ellipse are the singular values of the map in the circle's plane, times r. */
 static double measure_placed_circle(const vs_affine *a, double r) {
   vs_vec3 u = { a->m[0][0], a->m[1][0], a->m[2][0] }, v = { a->m[0][1], a->m[1][1], a->m[2][1] };
   double p = vs_v3_dot(u, u), q = vs_v3_dot(v, v), s = vs_v3_dot(u, v), mean = (p + q) / 2, off = hypot((p - q) / 2, s),
@@ -67,8 +67,8 @@ static bool measure_outline(const vs_node *n, vs_measure *m, vs_error *e) {
   return ok;
 }
 
-/* Sets m->length to the sum of the lengths of a set's curves. Each curve has its own placement. Returns false on
- * failure. */
+/* Sets m->length to the sum of the lengths of the curves in a set. Each curve is measured with its own placement.
+ * Returns false on failure. */
 static bool measure_curves(const vs_node *n, vs_measure *m, vs_error *e) {
   vs_walk *w = vs_walk_new(n->store, (vs_ref){ (vs_node *)(uintptr_t)n, NULL });
   vs_affine *placed = NULL;
@@ -118,8 +118,8 @@ static bool measure_straight(const vs_node *curve, vs_vec3 *along, bool *straigh
   return ok;
 }
 
-/* Measures an extrusion along a vector. By Cavalieri's principle a twist does not change the volume, and the area of a
- * section is proportional to the square of its scale. Sets *known to true if there is a formula. Returns false on
+/* Measures an extrusion along a vector. Sets *known to true if there is a formula. A twist does not change the volume
+ * (Cavalieri's principle), and the area of a section is proportional to the square of its scale. Returns false on
  * failure. */
 static bool measure_extrusion(const vs_node *n, vs_measure *m, bool *known, vs_error *e) {
   const struct vs_extrude *x = VS_AS(extrude, n);
@@ -177,9 +177,9 @@ static bool measure_way(const vs_node *curve, vs_way *way, vs_error *e) {
   return ok;
 }
 
-/* In vs_sweep_measure, Pappus's theorem applies to every smooth path and every mitred corner. The volume is the
- * profile's area times the path's length, with the square of the scale along the path. The area of the wall is the
- * border's length times the path's length, if the centroid of the border is also on the path. */
+/* vs_sweep_measure uses Pappus's theorem, which holds for every smooth path and mitred corner. The volume is the
+ * profile's area times the path's length, with the square of the scale along the path. The wall's area is the border's
+ * length times the path's length, if the border's centroid is also on the path. */
 bool vs_sweep_measure(const vs_node *n, vs_measure *m, vs_error *e) {
   bool bar = n->kind == VS_THICKEN;
   const vs_node *profile = n->children[0].node;
@@ -225,13 +225,15 @@ bool vs_sweep_measure(const vs_node *n, vs_measure *m, vs_error *e) {
 
 /* ---- the measuring function of each kind ---- */
 
-/* The object to be measured. n: node without its placements and wrappers; whole: the node with them. */
+/* The object to be measured. whole: its node; n: the node that remains without the placements and wrappers around
+ * it. */
 typedef struct {
   const vs_node *whole, *n;
-  vs_affine placed; /* product of all placements around n */
+  vs_affine placed; /* product of all the placements that were removed from around n */
 } measured;
 
-/* A function that sets the members of m for the node of->n. m->known is true at the call. Returns false on failure. */
+/* A function that measures the node of->n: it sets the members of m, where m->known is true at the call. Returns false
+ * on failure. */
 typedef bool measure_rule(const measured *of, vs_measure *m, vs_error *e);
 
 static bool measure_zero(const measured *of, vs_measure *m, vs_error *e) {
@@ -250,7 +252,7 @@ static bool measure_endless(const measured *of, vs_measure *m, vs_error *e) {
   return vs_error_set(e, VS_ERROR_MODEL, NULL, "the object has no end and cannot be measured");
 }
 
-/* Converts the measures m of a node from its own coordinates to those around its placements. */
+/* Converts the measures m from the coordinates of node of->n to those outside of its placements. */
 static bool measure_place(const measured *of, vs_measure *m) {
   double k;
   m->volume *= fabs(vs_affine_determinant(&of->placed));
@@ -271,8 +273,8 @@ static bool measure_curve(const measured *of, vs_measure *m, vs_error *e) {
   return measure_samples(of->whole, &identity, m, e);
 }
 
-/* Measures an exact offset of a circle or arc. The result is exact if the placement preserves circles. Returns false on
- * failure. */
+/* Measures an offset of a circle or arc, which is a circle or arc again. The measures are exact if the placement maps
+ * circles to circles. Returns false on failure. */
 static bool measure_round(const measured *of, const vs_offset_exact *exact, vs_measure *m, vs_error *e) {
   const struct vs_arc *a = &exact->arc;
   double k, angle = fabs(a->end - a->start);

@@ -1,8 +1,8 @@
-/* Computes ambient occlusion with rays whose directions are distributed by the cosine to the normal. The directions are
- * points of a unit disc, evenly distributed and lifted onto the hemisphere (Malley's method). The points of the disc
- * come from the 8 by 8 cells of a square. The map from the square to the disc keeps neighbours close (Shirley and Chiu,
- * A Low Distortion Map Between Disk and Square, Journal of Graphics Tools 2(3), 1997). The points are shifted within
- * the square, modulo its size (Cranley and Patterson, 1976). */
+/* Computes ambient occlusion with rays whose directions are distributed by the cosine to the normal: points evenly
+ * distributed on a unit disc are lifted onto the hemisphere (Malley's method). They come from the 8 by 8 cells of a
+ * square, by a map that keeps neighbours close (Shirley and Chiu, A Low Distortion Map Between Disk and Square, Journal
+ * of Graphics Tools 2(3), 1997). The points are shifted within the square, modulo its size (Cranley and Patterson,
+ * 1976). */
 #include "geometry/measure/openness.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
-/* Implements the comparison of parts (part_shape.h). Moments do not depend on place and turn, so unequal moments prove
- * that parts differ. If moments are equal, a motion is sought that carries the corners of one part to those of the
- * other, since moments alone hardly distinguish slender parts from their mirror images. */
+/* Implements the comparison of parts (part_shape.h). Moments do not change if a part is moved or turned, so parts with
+ * different moments differ. If the moments are equal, the code searches for a motion that moves the corners of one part
+ * to those of the other; moments alone hardly distinguish a slender part from its mirror image. */
 #include "geometry/measure/part_shape.h"
 
 #include <math.h>
@@ -17,7 +17,7 @@ typedef struct {
   vs_vec3 origin;
   double measure;
   vs_vec3 first;          /* sum of the points relative to the origin */
-  double second[3][3];    /* sum of their products */
+  double second[3][3];    /* sum of the outer products p p^T of the points */
   vs_vec3 third;          /* sum of the points times the square of their distance from the origin */
 } sums;
 
@@ -37,8 +37,8 @@ static vs_vec3 between(const vs_vec3 *p, const double *share, int n) {
   return sum;
 }
 
-/* Adds the integral over a simplex: a segment (n = 2), a triangle (3) or a tetrahedron (4). Each rule is exact for
- * polynomials of degree 3: Simpson's, and those with the centroid and n further points. */
+/* Adds the integral over a simplex of the given measure with n corners: a segment (n = 2), a triangle (3) or a
+ * tetrahedron (4). Each quadrature rule is exact for polynomials of degree 3. */
 static void add_simplex(sums *s, const vs_vec3 *p, int n, double measure) {
   static const double middle[] = { 2 / 3., -27 / 48., -4 / 5. }, outer[] = { 1 / 6., 25 / 48., 9 / 20. },
                       near[] = { 1, 3 / 5., 1 / 2. };
@@ -67,7 +67,7 @@ static void add_line(sums *s, const vs_vec3 *at, size_t n, bool closed) {
   }
 }
 
-/* Returns the centroid of all points added. */
+/* Returns the centroid of all points that were added to s. */
 static vs_vec3 centroid(const sums *s) {
   return s->measure != 0 ? vs_v3_add(s->origin, vs_v3_scale(s->first, 1 / s->measure)) : s->origin;
 }
@@ -78,7 +78,8 @@ static int by_distance(const void *p, const void *q) {
   return da < db ? -1 : da > db;
 }
 
-/* Fills the shape from sums about the centroid, and from the corners. Returns false when memory is out. */
+/* Fills the shape from the sums s, which are relative to the centroid, and from the n corners `at`. Returns false when
+ * memory is out. */
 static bool fill(vs_part_shape *out, const sums *s, const vs_vec3 *at, size_t n) {
   out->measure = fabs(s->measure);
   if (!(out->measure > 0)) return true;
@@ -134,14 +135,14 @@ static bool moments_equal(const vs_part_shape *a, const vs_part_shape *b, double
          fabs(a->lean - b->lean) <= wide * unit * unit * unit;
 }
 
-/* A rotation, as its rows. */
+/* A rotation; its matrix as three rows. */
 typedef struct { vs_vec3 row[3]; } turn;
 static vs_vec3 turned(const turn *t, vs_vec3 p) {
   return (vs_vec3){ vs_v3_dot(t->row[0], p), vs_v3_dot(t->row[1], p), vs_v3_dot(t->row[2], p) };
 }
 
-/* Sets the rows of t to a right-handed frame whose first axis is p, and whose first plane contains q. Returns false if
- * p and q are on one line. */
+/* Sets the rows of t to a right-handed frame: its first axis points to p, and its first two axes span a plane that
+ * contains q. Returns false if p and q lie on one line through the origin. */
 static bool frame(vs_vec3 p, vs_vec3 q, turn *t) {
   const vs_vec3 normal = vs_v3_cross(p, q);
   if (!(vs_v3_length(normal) > 1e-6 * vs_v3_length(p) * vs_v3_length(q))) return false;
@@ -167,7 +168,8 @@ static bool has_corner(const vs_part_shape *s, vs_vec3 p, double slack) {
   return false;
 }
 
-/* The motion under test: `from` is the frame of part a, `to` that of part b. sign: -1 for a mirror image. */
+/* Returns true if a motion moves each corner of part a to a corner of part b, within the slack. The motion moves the
+ * frame `from` of a to the frame `to` of b. sign: 1, or -1 to test the mirror image of a. */
 static bool corners_fit(const vs_part_shape *a, const vs_part_shape *b, const turn *from, const turn *to, double sign,
                         double slack) {
   for (size_t i = a->count; i-- > 0;) {
@@ -179,14 +181,14 @@ static bool corners_fit(const vs_part_shape *a, const vs_part_shape *b, const tu
   return true;
 }
 
-/* Returns the number of corners whose distance from the centroid equals that of corner i, up to the slack. */
+/* Returns the number of corners whose distance from the centroid equals the distance of corner i, within the slack. */
 static size_t ties(const vs_part_shape *s, size_t i, double slack) {
   const double distance = vs_v3_length(s->corners[i]);
   return first_at(s, distance + slack) - first_at(s, distance - slack);
 }
 
-/* Finds two corners p and q that are not on one line with the centroid. Prefers corners at distances at which there are
- * few, since these leave few motions to try. Returns false if all corners are on one line. */
+/* Finds two corners of a, p and q, that are not on one line with the centroid. Prefers distances from the centroid that
+ * few corners have, because fewer motions must then be tried. Returns false if all corners are on one line. */
 static bool choose_pair(const vs_part_shape *a, double slack, size_t *p, size_t *q) {
   const double size = vs_v3_length(a->corners[a->count - 1]);
   size_t fewest = SIZE_MAX;
@@ -201,11 +203,12 @@ static bool choose_pair(const vs_part_shape *a, double slack, size_t *p, size_t 
   return fewest != SIZE_MAX;
 }
 
-enum { MOTIONS = 4096, FIT, NO_FIT, UNKNOWN }; /* MOTIONS: greatest number of motions that are tried */
+enum { MOTIONS = 4096, FIT, NO_FIT, UNKNOWN }; /* MOTIONS: greatest number of motions that are tried; FIT, NO_FIT,
+                                                * UNKNOWN: results of try_motions */
 
-/* Tries motions that carry the corners of a to those of b; for sign -1, mirror images with a motion. A pair of corners
- * of a determines the motion by the pair of corners of b with equal distances. Returns UNKNOWN if there are too many
- * pairs, as on a sphere. */
+/* Tries motions that move the corners of a to those of b. Two corners of a, and a pair of corners of b at equal
+ * distances, determine a motion. sign: 1, or -1 to try the mirror image of a. Returns UNKNOWN if there are more than
+ * MOTIONS pairs, as on a sphere. */
 static int try_motions(const vs_part_shape *a, const vs_part_shape *b, double sign, double slack) {
   size_t p = 0, q = 0, tried = 0;
   turn from, to;
@@ -236,7 +239,8 @@ enum { PLANES = 12, EDGES = 12 };
 
 typedef struct { vs_vec3 normal; double area; } face_plane;
 
-/* Adds the area of a triangle to the plane of its direction. Planes of opposite directions count as one. */
+/* Adds the area of a triangle to the plane with its normal. Opposite normals count as one plane. Returns the new number
+ * of planes. */
 static size_t add_plane(face_plane *planes, size_t count, vs_vec3 normal, double area) {
   for (size_t i = 0; i < count; i++)
     if (fabs(vs_v3_dot(planes[i].normal, normal)) > 1 - 1e-9) return planes[i].area += area, count;
@@ -268,7 +272,8 @@ static void sort_axes(vs_part_box *b) {
       }
 }
 
-/* Keeps the box along these unit vectors if it is the smallest so far: by volume, or by area if the part is flat. */
+/* Computes the box around the mesh with edges along these unit vectors. Keeps it in *b if its volume, or area if the
+ * part is flat, is below *least. */
 static void try_box(const vs_mesh *m, const vs_vec3 axes[3], double *least, vs_part_box *b) {
   const double wide = extent(m, axes[0]), deep = extent(m, axes[1]), high = extent(m, axes[2]);
   const double thin = 1e-9 * fmax(fmax(wide, deep), high);
@@ -277,7 +282,7 @@ static void try_box(const vs_mesh *m, const vs_vec3 axes[3], double *least, vs_p
     *least = cost, *b = (vs_part_box){ { axes[0], axes[1], axes[2] }, { wide, deep, high } };
 }
 
-/* Compares the boxes with a side along the plane. */
+/* Tries boxes with a side perpendicular to `normal`, one for each of up to EDGES edges of the mesh in that plane. */
 static void try_plane(const vs_mesh *m, vs_vec3 normal, double *least, vs_part_box *b) {
   vs_vec3 tried[EDGES];
   size_t count = 0;

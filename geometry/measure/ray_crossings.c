@@ -1,5 +1,5 @@
-/* Tests whether a point is inside a closed mesh. It counts the crossings of an upward ray with triangles, with a sign
- * by the side that the ray enters.
+/* Tests whether a point is inside a closed mesh. It counts the triangles that an upward ray crosses, with a sign that
+ * depends on the side that the ray enters.
  *
  * As seen from above, one comparison determines whether an edge is to the right of p. Both triangles at the edge make
  * the same comparison, so a ray through an edge or a corner is counted once. A grid of cells lists the triangles whose
@@ -57,9 +57,9 @@ bool vs_facet_index_make(vs_facet_index *x) {
   x->starts = vs_zeros(cells + 2, sizeof *x->starts);
   x->triangles = vs_fresh(total + 1, sizeof *x->triangles);
   if (!x->starts || !x->triangles || total >= UINT32_MAX) return false;
-  for (int pass = 0; pass < 2; pass++) { /* the first pass counts the entries of each cell, the second fills them in;
-                                          * starts[c + 1] is first the beginning of cell c's entries, and moves to their
-                                          * end */
+  for (int pass = 0; pass < 2; pass++) { /* The first pass counts the entries of each cell. The second pass enters them,
+                                          * and meanwhile moves starts[c + 1] from the beginning to the end of cell c's
+                                          * entries. */
     for (size_t i = 0; i < n; i++) {
       facet_cells c = facet_span(x, i);
       for (size_t v = c.y0; v <= c.y1; v++)

@@ -1,15 +1,15 @@
-/* Declares, for use in geometry/ alone, a test whether points are inside a closed mesh. It is fast for many points. */
+/* Declares a test whether points are inside a closed mesh, for use in geometry/ alone. It is fast for many points. */
 #ifndef VS_GEOMETRY_MEASURE_RAY_CROSSINGS_H
 #define VS_GEOMETRY_MEASURE_RAY_CROSSINGS_H
 
 #include "model/mesh.h"
 
-/* An index of the triangles of a mesh: they are listed by the cells of a horizontal grid. */
+/* An index of a mesh's triangles: for each cell of a horizontal grid, the triangles above or below the cell. */
 typedef struct {
-  vs_mesh mesh;       /* the mesh; the index frees it */
+  vs_mesh mesh;       /* the mesh, which belongs to the index and is freed with it */
   vs_bounds bounds;
   size_t cells;       /* number of cells of the horizontal grid along X, and also along Y */
-  uint32_t *starts;   /* starts[c]: index of cell c's first entry in the list of triangles: cells * cells + 1
+  uint32_t *starts;   /* starts[c]: index, in the list of triangles, of the first entry of cell c; cells * cells + 1
                        * elements */
   uint32_t *triangles;
 } vs_facet_index;

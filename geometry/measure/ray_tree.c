@@ -20,7 +20,8 @@ bool vs_ray_meets_box(const vs_bounds *b, vs_vec3 from, vs_vec3 direction, doubl
   const double at[3] = { from.x, from.y, from.z }, d[3] = { direction.x, direction.y, direction.z };
   double near = 0;
   for (int i = 0; i < 3; i++) {
-    if (d[i] == 0) { /* the ray is parallel to two sides of the box; a ray in the plane of a side counts as inside */
+    if (d[i] == 0) { /* the ray is parallel to these two sides of the box, and intersects it only if it starts between
+                      * them or in one of their planes */
       if (at[i] < low[i] || at[i] > high[i]) return false;
       continue;
     }
@@ -103,7 +104,8 @@ bool vs_ray_tree_make(vs_ray_tree *t, vs_store *store, const vs_mesh *mesh, vs_e
     t->nodes[self] = (vs_ray_node){ bounds_of(mesh, t->order + r.first, r.count), r.first, r.count };
     if (r.count <= LEAF) continue;
     uint32_t half = depth + 2 < DEPTH ? part(mesh, t->order + r.first, r.count) : 0;
-    if (!half) continue; /* at the greatest depth that a traversal can handle, all triangles remain in one leaf */
+    if (!half) continue; /* this node is at the greatest depth that a traversal can handle, so all its triangles remain
+                          * in one leaf */
     t->nodes[self].count = 0;
     stack[depth++] = (range){ r.first + half, r.count - half, self, true };
     stack[depth++] = (range){ r.first, half, self, false };

@@ -5,10 +5,11 @@
 #include "model/mesh.h"
 #include "model/node.h"
 
-/* A node of a bounding volume hierarchy. Its two halves follow it, down to leaves of a few triangles. */
+/* A node of a bounding volume hierarchy. Inner nodes are divided into two halves, whose nodes come later in the array;
+ * a leaf has a few triangles. */
 typedef struct { vs_bounds box; uint32_t first,
-    count; /* first, count: range of the node's triangles in the tree's order; count 0: the node has two halves, and
-            * `first` is the node of the second half */
+    count; /* For a leaf: range of its triangles in the tree's order. count 0: the node has two halves; the first is the
+            * next node, and `first` is the index of the second. */
 } vs_ray_node;
 typedef struct {
   const vs_mesh *mesh; /* the mesh, which belongs to the caller and must not change */
@@ -20,16 +21,16 @@ typedef struct {
 
 bool vs_ray_tree_make(vs_ray_tree *t, vs_store *store, const vs_mesh *mesh, vs_error *e);
 void vs_ray_tree_free(vs_ray_tree *t);
-/* Finds the nearest triangle that the ray intersects, from `from` up to `far` times the direction. any: true if the ray
- * may stop at any triangle that it intersects. *at: distance to the intersection, as a multiple of the direction.
+/* Finds the nearest triangle that a ray intersects. The ray begins at `from` and ends after `far` times `direction`.
+ * any: true if any intersected triangle is sufficient. *at: distance to the intersection, as a multiple of `direction`.
  * Returns the triangle's index, or the number of triangles if there is none. */
 size_t vs_ray_tree_meet(const vs_ray_tree *t, vs_vec3 from, vs_vec3 direction, double far, bool any, double *at);
 
 /* Returns the distance at which the ray intersects the triangle, as a multiple of the direction, or INFINITY (Moeller
  * and Trumbore, 1997). The triangle is enlarged by a tiny margin, so that no ray passes between two triangles. */
 double vs_ray_meets_triangle(const vs_vec3 corners[3], vs_vec3 from, vs_vec3 direction);
-/* Returns true if the ray intersects the box b before `far` times the direction, by the slab method (Williams and
- * others, 2005). */
+/* Returns true if the ray from `from` intersects the box b within `far` times `direction`, by the slab method (Williams
+ * and others, 2005). */
 bool vs_ray_meets_box(const vs_bounds *b, vs_vec3 from, vs_vec3 direction, double far);
 
 #endif

@@ -1,4 +1,4 @@
-/* Declares, for use in geometry/ alone, the bounds of round shapes under an affine map. */
+/* Declares functions that compute bounds of round shapes under an affine map, for use in geometry/ alone. */
 #ifndef VS_GEOMETRY_MEASURE_REACH_H
 #define VS_GEOMETRY_MEASURE_REACH_H
 
@@ -6,13 +6,13 @@
 
 #include <stddef.h>
 
-/* vs_reach_disc, _oval, _ball, _points and _sides enlarge b by the bounds, mapped by a, of a disc, an ellipse, a moving
- * ball, points, and a box. */
+/* Each of these functions enlarges the bounds b by a shape mapped by a: vs_reach_disc by a disc, _oval by an ellipse,
+ * _ball by a moving ball, _points by points, and _sides by a box. */
 void vs_reach_disc(vs_bounds *b, const vs_affine *a, vs_vec3 center, vs_vec3 normal, double r);
-/* Enlarges b by an ellipse, mapped by a, with the radius rx along X and ry along Y of the frame. */
+/* Enlarges b by an ellipse in the XY plane of `frame`, mapped by a. rx, ry: its radii along X and Y. */
 void vs_reach_oval(vs_bounds *b, const vs_affine *a, const vs_affine *frame, vs_vec3 center, double rx, double ry);
-/* Enlarges b by the space, mapped by a, of a ball of radius r whose centre moves on a horizontal circle of radius
- * `ring`. */
+/* Enlarges b by the space of a moving ball of radius r, mapped by a. The ball's centre moves on a horizontal circle of
+ * radius `ring` about center. */
 void vs_reach_ball(vs_bounds *b, const vs_affine *a, vs_vec3 center, double ring, double r);
 void vs_reach_points(vs_bounds *b, const vs_affine *a, const vs_vec3 *at, size_t n);
 /* Enlarges b by a body that extends by `reach` along x, y and z to both sides of the centre mapped by a. */

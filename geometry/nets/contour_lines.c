@@ -37,8 +37,8 @@ static bool add_place(vs_polyline *p, vs_vec3 at) {
   return true;
 }
 
-/* Follows the contour line that crosses `edge` into triangle t, to a border of the mesh or back to its beginning, and
- * passes its points to `put`. Returns false if `put` returned false, or memory is out. */
+/* Follows a contour line from the edge `edge` into triangle t, to a border of the mesh or back to its beginning. Passes
+ * its points to `put`. Returns false if `put` has returned false, or memory is out. */
 static bool follow(contours *c, uint32_t edge, uint32_t t, const vs_line_put *put) {
   vs_polyline line = { 0 };
   bool ok = add_place(&line, place(c, edge));

@@ -11,9 +11,9 @@ typedef struct {
   void *context;
 } vs_line_put;
 
-/* Computes the contour lines in which the plane through `point` cuts mesh m, and calls `put` for each. The lines are
- * the border of the part above the plane, without the mesh's border. Vertices at equal points count as one. Returns
- * false if `put` returned false, or memory is out. */
+/* Computes the contour lines in which the plane through `point`, perpendicular to `normal`, cuts mesh m, and calls
+ * `put` for each. The part of the mesh above the plane ends there. Vertices with equal positions count as one. Returns
+ * false if `put` has returned false, or memory is out. */
 bool vs_mesh_contour(const vs_mesh *m, vs_vec3 point, vs_vec3 normal, const vs_line_put *put);
 
 #endif

@@ -24,7 +24,8 @@ static double turn(vs_vec2 a, vs_vec2 b, vs_vec2 c) {
 /* A corner of a polygon: its point, and the next and the previous corner of the polygon. */
 typedef struct { uint32_t point, next, last; } corner;
 
-/* A side that two polygons share. a, b: corners where it begins in each of the two polygons. */
+/* A side that two polygons share. a, b: the corner at which it begins in the first polygon, and in the second. length:
+ * its length. */
 typedef struct { uint32_t a, b; double length; } shared_side;
 
 static int by_length(const void *a, const void *b) {
@@ -44,7 +45,7 @@ static int by_ends(const void *a, const void *b) {
   return p->corner < q->corner ? -1 : p->corner > q->corner;
 }
 
-/* Finds the sides that exactly two triangles share, and writes them to the last array. Returns their number. */
+/* Finds the sides that exactly two triangles share, and writes them to `out`. Returns their number. */
 static size_t shared_sides(const vs_vec2 *at, const corner *c, size_t corners, half_side *half, shared_side *out) {
   size_t count = 0;
   for (size_t i = 0; i < corners; i++) half[i] = (half_side){ c[i].point, c[c[i].next].point, (uint32_t)i };
@@ -67,11 +68,11 @@ static size_t shared_sides(const vs_vec2 *at, const corner *c, size_t corners, h
   return count;
 }
 
-/* Removes the side s from the two polygons that share it, if the united polygon is convex. */
+/* Removes the side s between two polygons, which unites them, if the united polygon is convex. */
 static void remove_side(const vs_vec2 *at, corner *c, const shared_side *s, double slack) {
   uint32_t a = s->a, b = s->b, an = c[a].next, bn = c[b].next, al = c[a].last, bl = c[b].last;
-  /* The side goes from a to an in one polygon, and from b to bn in the other. Therefore an and b are at one point, and
-   * a and bn at another. */
+  /* The side goes from a to the next corner an in one polygon, and from b to the next corner bn in the other. Therefore
+   * an and b are at one point, and a and bn at another. */
   if (turn(at[c[al].point], at[c[a].point], at[c[c[bn].next].point]) < -slack) return;
   if (turn(at[c[bl].point], at[c[b].point], at[c[c[an].next].point]) < -slack) return;
   c[al].next = bn, c[bn].last = al; /* the united polygon no longer contains the corners a and b */
@@ -79,8 +80,8 @@ static void remove_side(const vs_vec2 *at, corner *c, const shared_side *s, doub
   c[a].next = c[a].last = a, c[b].next = c[b].last = b;
 }
 
-/* Adds the polygon with the corner `start` as a piece, from the leftmost of its lowest points on, and marks its corners
- * as done. Returns false when memory is out. */
+/* Adds the polygon that contains the corner `start` as a piece, and marks its corners as done. The piece begins at the
+ * leftmost of the polygon's lowest points. Returns false when memory is out. */
 static bool add_ring(const vs_vec2 *at, corner *c, uint32_t start, bool *done, vs_convex_pieces *out) {
   uint32_t low = start;
   size_t n = 0;
@@ -98,8 +99,8 @@ static bool add_ring(const vs_vec2 *at, corner *c, uint32_t start, bool *done, v
   return true;
 }
 
-/* Adds the convex pieces of one outer loop with its holes. sizes: number of points of each loop. Returns false when
- * memory is out. */
+/* Adds the convex pieces of the area within one outer loop and outside of its holes. sizes: number of points of each
+ * loop, the outer loop first. Returns false when memory is out. */
 static bool add_pieces(const vs_vec2 *at, const size_t *sizes, size_t loops, vs_convex_pieces *out) {
   size_t n = 0;
   vs_mesh m = { 0 };
@@ -147,8 +148,8 @@ static double to_line(vs_vec2 p, vs_vec2 a, vs_vec2 b) {
   return l > 0 ? fabs((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)) / l : hypot(p.x - a.x, p.y - a.y);
 }
 
-/* Sets *meet to the point where the lines of the sides a b and c d of a loop intersect, beyond b and before c. Returns
- * its distance from the side b c, or infinity if there is none. */
+/* Sets *meet to the point where the lines through two sides of a loop, a b and c d, intersect; it lies beyond b and
+ * before c. Returns the distance of this point from the side b c, or infinity if there is no such point. */
 static double beyond(vs_vec2 a, vs_vec2 b, vs_vec2 c, vs_vec2 d, vs_vec2 *meet) {
   double ux = b.x - a.x, uy = b.y - a.y, wx = c.x - d.x, wy = c.y - d.y, k = ux * wy - uy * wx;
   if (!(k < -1e-9 * hypot(ux, uy) * hypot(wx, wy)) && !(k > 1e-9 * hypot(ux, uy) * hypot(wx, wy))) return INFINITY;
@@ -171,10 +172,11 @@ static size_t fewer(vs_vec2 *at, double *used, size_t n, double most) {
     again = false;
     for (size_t i = 0; i < n; i++) {
       vs_vec2 a = at[(i + n - 1) % n], b = at[i], c = at[(i + 1) % n], d = at[(i + 2) % n], meet;
-      if (turn(a, b, c) <= 0) { /* a concave corner is removed, which fills it with material */
+      if (turn(a, b, c) <= 0) { /* removes a concave corner, and so fills the notch at this corner with material */
         double added = to_line(b, a, c) + fmax(used[i], fmax(used[(i + n - 1) % n], used[(i + 1) % n]));
         if (added <= least) least = added, best = i, fills = true, again = true;
-      } else if (turn(b, c, d) > 0) { /* a side between convex corners is removed by making its neighbours longer */
+      } else if (turn(b, c, d) > 0) { /* removes a side between two convex corners: its two neighbours are extended
+                                       * until they intersect */
         double added = beyond(a, b, c, d, &meet) + fmax(used[i], used[(i + 1) % n]);
         if (added <= least) least = added, best = i, fills = false, place = meet, again = true;
       }
@@ -227,7 +229,7 @@ bool vs_area_outer_corners(const vs_area *a, double most, vs_area *out) {
   return copy_loops(a, 0, out);
 }
 
-/* ---- sums ---- */
+/* ---- sums of convex polygons ---- */
 
 size_t vs_convex_sum(const vs_vec2 *a, size_t n, const vs_vec2 *b, size_t m, vs_vec2 *out) {
   size_t i = 0, j = 0, count = 0;
@@ -245,10 +247,13 @@ size_t vs_convex_sum(const vs_vec2 *a, size_t n, const vs_vec2 *b, size_t m, vs_
 size_t vs_convex_grow(const vs_vec2 *at, size_t n, double d, vs_vec2 *out) {
   static const double step_cos = 0.98078528040323044912, step_sin = 0.19509032201612826785; /* cosine and sine of pi /
                                                                                              * 16, the angle between
-                                                                                             * corners of a rounding */
+                                                                                             * neighbouring corners
+                                                                                             * where an outline is
+                                                                                             * rounded */
   size_t count = 0, first = n;
   vs_vec2 last = { 0, 0 }, next;
-  for (size_t i = 0; i < n; i++) { /* the loop needs the normal of the last side whose length is not 0 */
+  for (size_t i = 0; i < n; i++) { /* finds the last side with a length other than 0; the loop over the sides begins
+                                    * with its normal */
     vs_vec2 p = at[n - 1 - i], q = at[i ? n - i : 0];
     double l = hypot(q.x - p.x, q.y - p.y);
     if (!(l > 0)) continue;

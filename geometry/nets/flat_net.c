@@ -1,5 +1,5 @@
-/* Implements flat nets (flat_net.h): lays the triangles of a mesh into a plane, and follows the borders of joined
- * triangles. */
+/* Implements flat nets (flat_net.h): moves the triangles of a mesh into a plane, beside each other, and follows the
+ * borders of joined triangles. */
 #include "geometry/nets/flat_net.h"
 
 #include <math.h>
@@ -122,7 +122,7 @@ void vs_flat_net_lay(vs_flat_net *s, uint32_t from, uint32_t to, uint32_t e) {
   lay_at(s, to, e, ends, d.x * w.y - d.y * w.x >= 0 ? -1 : 1);
 }
 
-/* Lays the first triangle of a part into the plane, with its corner 0 at the origin and corner 1 on +X. */
+/* Places the first triangle of a part in the plane, with its corner 0 at the origin and corner 1 on +X. */
 static void lay_first(vs_flat_net *s, uint32_t t) {
   uint32_t e = s->edges.of[t][2];
   bool forward = vs_mesh_edges_corner(&s->edges, t, 0) == s->edges.edges[e].a;
@@ -142,8 +142,8 @@ void vs_flat_net_join(vs_flat_net *s, double slack) {
   }
 }
 
-/* Lays all triangles into the plane. It completes a flat face before it continues with the next face. A face is entered
- * across a single edge, so that its triangles stay beside each other. Returns false when memory is out. */
+/* Places all triangles in the plane, face by face: all triangles of a flat face, and then the next face. A face is
+ * entered across a single edge, so that its triangles stay beside each other. Returns false when memory is out. */
 static bool lay_all(vs_flat_net *s) {
   size_t n = s->edges.m->triangle_count;
   uint32_t *queue = vs_fresh(n + 1, sizeof *queue), *near = vs_fresh(n + 1, sizeof *near);
@@ -190,8 +190,8 @@ static void add_angles(const vs_flat_net *s, double *angle) {
       angle[s->edges.edges[e].a] = angle[s->edges.edges[e].b] = NAN;
 }
 
-/* Returns the fraction by which triangle t and the triangle after it (t is even), laid flat, are wider halfway along
- * them than in space. */
+/* Returns the distortion of the pair of triangles t and t + 1 (t is even): the fraction by which the pair, laid flat,
+ * is wider at half its length than in space. */
 static double twist_of(const vs_flat_net *s, uint32_t t) {
   for (int k = 0; k < 3; k++) {
     uint32_t e = s->edges.of[t][k];
@@ -199,8 +199,8 @@ static double twist_of(const vs_flat_net *s, uint32_t t) {
     if (g->side[1] == VS_MESH_NONE || (g->side[0] ^ 1U) != g->side[1] || is_flat(s, e)) continue;
     vs_vec3 a = place(s, g->a), b = place(s, g->b), p = place(s, apex_vertex(s, g->side[0], e)),
             q = place(s, apex_vertex(s, g->side[1], e));
-    double most = 0; /* tests the two pairs of opposite sides, because each may run across the straight lines of the
-                      * surface */
+    double most = 0; /* the straight lines of the surface may run between either pair of opposite sides, so both pairs
+                      * are tested */
     const vs_vec3 side[2][4] = { { a, p, q, b }, { p, b, a, q } };
     for (int i = 0; i < 2; i++) {
       const vs_vec3 *c = side[i];
@@ -220,8 +220,8 @@ bool vs_flat_net_unroll(vs_flat_net *s, vs_flatness *out) {
   if (!angle || s->pieces == SIZE_MAX || !lay_all(s)) return free(angle), false;
   add_angles(s, angle);
   for (size_t i = 0; i < s->edges.m->vertex_count; i++) {
-    double off = angle[i] > 0 ? fabs(angle[i] - 2 * acos(-1)) : 0; /* for NAN, the sum of the angles at a border, the
-                                                                    * comparison is false */
+    double off = angle[i] > 0 ? fabs(angle[i] - 2 * acos(-1)) : 0; /* angle[i] is NAN at a border; the comparison is
+                                                                    * then false, and `off` is 0 */
     out->worst = fmax(out->worst, off), out->curvature += off;
   }
   for (uint32_t e = 0; e < s->edges.edge_count; e++) {
@@ -258,8 +258,8 @@ bool vs_flat_net_borders(const vs_flat_net *s, uint32_t piece, vs_flat_border *e
         const vs_vec2 ends[2] = { s->at[t][from], s->at[t][to] };
         done[t][c] = true;
         ok = edge(context, t, s->edges.of[t][c], ends);
-        /* The next border edge begins at the end `to` of this one. Finds it by turning about this end through joined
-         * edges. */
+        /* The next border edge begins at the end `to` of this edge. To find it, the loop turns about this end from
+         * triangle to triangle, across joined edges. */
         uint32_t v = vs_mesh_edges_corner(&s->edges, t, to), next = s->edges.of[t][from];
         for (size_t turn = 0; s->joined[next] && turn < 3 * n; turn++) {
           const vs_mesh_edge *g = &s->edges.edges[next];
@@ -267,8 +267,8 @@ bool vs_flat_net_borders(const vs_flat_net *s, uint32_t piece, vs_flat_border *e
           int apex = vs_flat_net_corner(s, t, next), at = 0;
           while (at < 2 && vs_mesh_edges_corner(&s->edges, t, at) != v) at++;
           VS_ASSERT(at != apex);
-          next = s->edges.of[t][3 - apex - at]; /* the edge opposite to the third corner, which is neither `apex` nor
-                                                 * `at` */
+          next = s->edges.of[t][3 - apex - at]; /* continues with the edge opposite to the third corner, which is
+                                                 * neither `apex` nor `at` */
         }
         c = vs_flat_net_corner(s, t, next);
       }

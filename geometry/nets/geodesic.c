@@ -22,7 +22,7 @@ enum { STOPS = 3, SWEEPS = 4000, SWEEPS_TO_COMPARE = 60, TURNS = 200 };
 /* ---- Dijkstra's algorithm ---- */
 
 typedef struct {
-  uint32_t *first, *to; /* to[first[i]] to to[first[i + 1] - 1]: numbers of the neighbours of point i */
+  uint32_t *first, *to; /* numbers of the neighbours of point i: to[first[i]] to to[first[i + 1] - 1] */
   double *length;
 } links;
 
@@ -113,7 +113,7 @@ typedef struct { vs_vec3 at; uint32_t triangle; } place;
 
 /* ---- the first path ---- */
 
-/* Returns the position of a stop, one of the STOPS + 2 points of an edge. */
+/* Returns the position of a stop. Each edge has STOPS + 2 stops: its two ends and points between them. */
 static vs_vec3 stop_at(const surface *s, uint32_t stop) {
   const vs_mesh_edge *e = &s->edges[stop / (STOPS + 2)];
   double share = (double)(stop % (STOPS + 2)) / (STOPS + 1);
@@ -121,9 +121,9 @@ static vs_vec3 stop_at(const surface *s, uint32_t stop) {
   return vs_v3_add(at(s, e->a), vs_v3_scale(vs_v3_sub(at(s, e->b), at(s, e->a)), share));
 }
 
-/* Finds the first path from p to q, over the points of a graph (stops). Edge e has the STOPS + 2 points from number
- * (STOPS + 2) e on, including its two ends. Links of length 0 connect the points at the same corner. p and q are the
- * last two points. Returns false when memory is out. */
+/* Finds the first path from p to q, over a graph whose points are stops on the edges. Edge e has the STOPS + 2 stops
+ * from number (STOPS + 2) e on, including its two ends. Links of length 0 connect the stops at one corner. p and q are
+ * the last two points. Returns false when memory is out. */
 static bool first_way(const surface *s, const place *p, const place *q, uint32_t **out, size_t *count) {
   enum { EACH = STOPS + 2 };
   size_t points = EACH * s->edge_count + 2, n = 0, room = 0;
@@ -198,8 +198,8 @@ static double row_length(const surface *s, const row *r) {
   return sum + vs_v3_length(vs_v3_sub(r->q.at, last));
 }
 
-/* Moves each crossing of path r to the point where the path between the crossings before and after it is straight, in
- * the unfolded triangles. Repeats this `sweeps` times. */
+/* Moves each crossing of path r to the point where the path is straight if the two triangles at the crossed edge are
+ * unfolded into a plane. Repeats this `sweeps` times. */
 static void straighten(const surface *s, row *r, int sweeps) {
   for (int sweep = 0; sweep < sweeps; sweep++) {
     double moved = 0;
@@ -215,7 +215,7 @@ static void straighten(const surface *s, row *r, int sweeps) {
       double hu = vs_v3_length(vs_v3_sub(u, vs_v3_scale(way, fu))),
              hw = vs_v3_length(vs_v3_sub(w, vs_v3_scale(way, fw)));
       double share = hu + hw > 0 ? (fu * hw + fw * hu) / (hu + hw) : .5 * (fu + fw);
-      double next = r->share[i] + 1.6 * (share - r->share[i]); /* over-relaxation: a longer step than computed, which
+      double next = r->share[i] + 1.6 * (share - r->share[i]); /* over-relaxation: a step 1.6 times as long as computed
                                                                 * converges sooner */
       if (hu + hw <= 0) next = share;
       next = fmin(1, fmax(0, next));
@@ -226,8 +226,8 @@ static void straighten(const surface *s, row *r, int sweeps) {
   }
 }
 
-/* Returns the triangle between the edges e and f, which a path crosses one after the other. Returns NONE if there is
- * none. */
+/* Returns the triangle between the edges e and f, which a path crosses one after the other; NONE if no triangle has
+ * both edges. */
 static uint32_t between(const surface *s, uint32_t e, uint32_t f) {
   for (int i = 0; i < 2; i++)
     for (int k = 0; k < 2; k++)
@@ -235,14 +235,14 @@ static uint32_t between(const surface *s, uint32_t e, uint32_t f) {
   return NONE;
 }
 
-/* Returns the corner of the mesh at which crossing i of path r is, or NONE if it is between the ends of its edge. */
+/* Returns the corner of the mesh at which crossing i of path r lies; NONE if it lies between the ends of its edge. */
 static uint32_t ends_in(const surface *s, const row *r, size_t i) {
   const vs_mesh_edge *e = &s->edges[r->edge[i]];
   VS_ASSERT(i < r->count);
   return r->share[i] < 1e-7 ? e->a : r->share[i] > 1 - 1e-7 ? e->b : NONE;
 }
 
-/* Returns the edge of triangle t that ends at the corner and is not edge e. */
+/* Returns the edge of triangle t, other than e, that ends at the corner. */
 static uint32_t turn_in(const surface *s, uint32_t t, uint32_t corner, uint32_t e) {
   for (int k = 0; k < 3; k++) {
     uint32_t f = s->of[t][k];
@@ -256,11 +256,11 @@ static double angle_at(vs_vec3 corner, vs_vec3 p, vs_vec3 q) {
   return atan2(vs_v3_length(vs_v3_cross(a, b)), vs_v3_dot(a, b));
 }
 
-/* The crossings `first` to `stop` - 1 of a path, which are all at one corner of the mesh. before, after: triangles from
- * which the path comes and in which it continues. */
+/* Crossings of a path that all lie at one corner of the mesh: those from `first` to `stop` - 1. before, after: the
+ * triangles in which the path arrives there and continues. */
 typedef struct { size_t first, stop; uint32_t corner, before, after; } touch;
 
-/* Makes the list of edges that the path crosses if it passes the corner on the other side. *there: true if there is
+/* Makes the list of edges that path r crosses if it passes the corner of c on the other side. *there: true if there is
  * such a list, and the angle on that side allows a shorter path. Returns false when memory is out. */
 static bool other_side(const surface *s, const row *r, const touch *c, row *out, bool *there) {
   size_t i = c->first, j = c->stop;
@@ -289,8 +289,8 @@ static bool other_side(const surface *s, const row *r, const touch *c, row *out,
   return true;
 }
 
-/* Tests whether the path r becomes shorter if it passes a corner of the mesh on the other side. *better: true if it
- * did, and r is the shorter path. Returns false when memory is out. */
+/* Tests whether path r becomes shorter if it passes one of its corners of the mesh on the other side. If so, replaces r
+ * by the shorter path and sets *better to true. Returns false when memory is out. */
 static bool go_round(const surface *s, row *r, bool *better) {
   double length = row_length(s, r);
   *better = false;
@@ -325,8 +325,8 @@ static bool go_round(const surface *s, row *r, bool *better) {
   return true;
 }
 
-/* Sets r to the list of edges that a path over the given stops crosses. The path passes a corner on the side that is
- * found first. *whole: false if no list was found. Returns false when memory is out. */
+/* Sets r to the list of edges that a path over the given stops (points on edges) crosses. At a corner of the mesh, the
+ * path takes the side that is found first. *whole: false if no list was found. Returns false when memory is out. */
 static bool row_of_way(const surface *s, const uint32_t *way, size_t count, row *r, bool *whole) {
   enum { EACH = STOPS + 2 };
   uint32_t t = r->p.triangle;
@@ -336,14 +336,15 @@ static bool row_of_way(const surface *s, const uint32_t *way, size_t count, row 
     double share = (double)stop / (EACH - 1);
     bool corner = stop == 0 || stop == EACH - 1;
     uint32_t v = stop == 0 ? s->edges[e].a : s->edges[e].b;
-    /* next: the triangle in which the path continues. It contains this stop and also the next stop, or the end of the
+    /* next: the triangle in which the path continues; it contains this stop and the next one, or the end of the
      * path. */
     uint32_t next = r->q.triangle;
     if (i + 2 < count) {
       uint32_t f = way[i + 1] / EACH;
-      if (f == e) continue; /* the path goes along edge f, and crosses the mesh only from the next stop on */
+      if (f == e) continue; /* the path goes along edge f, and leaves it only at the next stop */
       next = between(s, e, f);
-      if (next == NONE) { /* the stop is a corner of the mesh, where other edges have points with other numbers */
+      if (next == NONE) { /* the stop is a corner of the mesh; at the other edges of this corner, the same position has
+                           * other numbers */
         if (!corner) return *whole = false, true;
         continue;
       }
@@ -407,8 +408,9 @@ bool vs_mesh_geodesic(const vs_mesh *m, vs_vec3 p, vs_vec3 q, vs_vec3 **out, siz
       (*out)[(*count)++] = i == 0            ? r.p.at
                            : i == points - 1 ? r.q.at
                            : whole           ? crossing_at(&s, &r, i - 1)
-                                             : stop_at(&s, way[i]); /* if no list of edges was found, the path goes from
-                                                                     * stop to stop, such as corners at borders */
+                                             : stop_at(&s, way[i]); /* if no list of edges was found, the points of the
+                                                                     * path are the stops themselves, such as corners at
+                                                                     * borders */
   }
   vs_mesh_edges_free(&s);
   row_free(&r);

@@ -21,20 +21,21 @@
 enum {
   EVEN_LINES = 40,   /* number of lines at equal distances that are searched for a place */
   MOST_LINES = 200,
-  FINE_LINES = 6,    /* number of finer lines on each side of the best line that are searched to improve the place */
-  FINER = 2,         /* number of times that the place is improved by finer lines */
-  MOST_CORNERS = 24, /* number of corners above which a part gets a simpler outline */
-  LATE = 30,         /* number of changes with whose result a new order is compared, see improve */
+  FINE_LINES = 6,    /* number of finer lines that are searched on each side of the best line, to improve the place */
+  FINER = 2,         /* number of times that finer lines are searched to improve a place */
+  MOST_CORNERS = 24, /* greatest number of corners of a part that keeps its exact outline; other parts get a simpler
+                      * one */
+  LATE = 30,         /* A new order is compared with the order this many changes before, see improve. */
   IDLE = 2000,       /* number of changes without an improvement after which the search ends */
-  LONG_SIDES = 4     /* number of long sides of a part that are laid along the sheet's sides */
+  LONG_SIDES = 4     /* number of long sides of a part that are tried along the sheet's sides */
 };
 
 static const double pi = 3.14159265358979323846;
 
 typedef struct { double x0, y0, x1, y1; } box;
 
-/* A convex piece of a part turned by one of the allowed angles. first: index of its first point in two arrays, of its
- * points and of those of -p. */
+/* A convex piece of a part that is turned by one of the allowed angles. first: index of its first point p in the array
+ * of points, and of -p in the array of opposite points. */
 typedef struct {
   size_t first, count;
   box box;
@@ -47,9 +48,9 @@ typedef struct {
   double angle;
 } form;
 
-/* A kind: parts with equal shape. */
+/* A kind: all parts of one shape. */
 typedef struct {
-  size_t first, count; /* range of the kind's forms (allowed angles) */
+  size_t first, count; /* range of the kind's forms, one for each allowed angle */
   double area, extent; /* area: area of the part; extent: longer side of its bounding box */
   uint32_t part;       /* number of the first part of this kind */
 } kind;
@@ -62,7 +63,7 @@ typedef struct {
 typedef struct {
   laid_piece *at;
   size_t count, room;
-  box *parts; /* bounding boxes of the parts on the sheet */
+  box *parts; /* bounding boxes of the parts that lie on the sheet */
   size_t part_count, part_room;
   double width, free, reach;
   bool *full; /* full[k]: true if a part of kind k no longer fits on this sheet */
@@ -75,10 +76,10 @@ typedef struct {
   size_t count, room;
 } spans;
 
-/* The sum of a form's piece and a piece on a sheet: the moves by which the two would overlap. */
+/* The sum of a piece on a sheet and the opposite of a form's piece: all moves by which the two pieces would overlap. */
 typedef struct {
-  size_t first, count, low, high; /* first, count: range of the sum's points; low, high: indices of its points of least
-                                   * and greatest y */
+  size_t first, count, low, high; /* first, count: range of the sum's points; low, high: indices of its points with the
+                                   * least and the greatest y */
   double y0, y1;
 } sum;
 
@@ -88,17 +89,18 @@ typedef struct {
   vs_vec2 move;
 } laid;
 
-/* A stored order of the parts, the places that follow from it, and its cost. */
+/* An order of the parts that is kept for later, the places that follow from it, and its cost. */
 typedef struct {
   uint32_t *order;
   laid *laid;
   int wish;
-  double cost, reach; /* cost: see place_all; reach: length to which the endless sheet is filled, or infinity */
+  double cost, reach; /* cost: length of sheets that are filled, see place_all; reach: length to which the endless sheet
+                       * is filled, or infinity */
 } memory;
 
 typedef struct {
   const vs_nest_rule *rule;
-  double slack; /* lengths below this count as 0 */
+  double slack; /* lengths below this value count as 0 */
   vs_vec2 *at, *mirrored;
   size_t points, point_room, mirrored_room;
   piece *pieces;
@@ -107,7 +109,7 @@ typedef struct {
   size_t form_count, form_room;
   kind *kinds;
   size_t kind_count, kind_room;
-  uint32_t *kind_of; /* kind_of[i]: number of part i's kind */
+  uint32_t *kind_of; /* kind_of[i]: number of the kind to which part i belongs */
   size_t parts;
   sheet *sheets;
   size_t sheet_count, sheet_room, used; /* used: number of sheets that contain parts */
@@ -115,18 +117,18 @@ typedef struct {
   size_t sum_count, sum_room;
   vs_vec2 *sum_at;
   size_t sum_points, sum_point_room;
-  vs_vec2 *draft; /* memory for the points of one sum of two pieces */
+  vs_vec2 *draft; /* working memory for the points of one sum of two pieces */
   size_t draft_room;
   double lines[MOST_LINES];
   size_t line_count;
   spans spans[MOST_LINES];
-  uint32_t *order; /* numbers of the parts in the order in which they are placed */
-  laid *laid;      /* laid[i]: sheet and place of part i */
+  uint32_t *order; /* numbers of the parts, in the order in which they are placed */
+  laid *laid;      /* laid[i]: where part i lies: its sheet, form and move */
   memory best, now;
   uint64_t steps, most_steps;
   uint32_t chance;
   int wish;       /* number of the rule by which the best place on a sheet is chosen, see `wanted` */
-  size_t endless; /* index of the sheet that is treated as endless, or SIZE_MAX if there is none */
+  size_t endless; /* index of the sheet that is treated as if it had no end, or SIZE_MAX if there is none */
   vs_long_work work;
   bool stopped;
 } nest;
@@ -139,7 +141,7 @@ static void widen(box *b, vs_vec2 p) {
 }
 static vs_vec2 turned(vs_vec2 p, double s, double c) { return (vs_vec2){ c * p.x - s * p.y, s * p.x + c * p.y }; }
 
-/* Copies the n points of a convex polygon, so that the leftmost of its lowest points comes first. */
+/* Copies the n points of a convex polygon to `out`, beginning with the leftmost of its lowest points. */
 static void from_lowest(const vs_vec2 *in, size_t n, vs_vec2 *out) {
   size_t low = 0;
   for (size_t i = 1; i < n; i++)
@@ -147,8 +149,8 @@ static void from_lowest(const vs_vec2 *in, size_t n, vs_vec2 *out) {
   for (size_t i = 0; i < n; i++) out[i] = in[(low + i) % n];
 }
 
-/* Adds the form that consists of these pieces turned by the angle, unless the sheet is too small for it. Returns false
- * when memory is out. */
+/* Adds a form: the pieces c turned by the angle, unless the sheet is too small for it. Returns false when memory is
+ * out. */
 static bool add_form(nest *w, const vs_convex_pieces *c, double angle) {
   double s, co;
   form f = { .first = w->piece_count, .box = no_box(), .angle = angle };
@@ -178,8 +180,8 @@ static bool add_form(nest *w, const vs_convex_pieces *c, double angle) {
   return true;
 }
 
-/* Writes the angles of a part for which the user allows all, at most MOST: eighths of a turn, and those that lay its
- * long sides level. Returns their number. */
+/* Writes to `out` the angles that are tried for a part that may be turned freely: eighths of a turn, and those that
+ * make one of its long sides horizontal. Returns their number. */
 static size_t own_angles(const vs_area *a, double *out) {
   double longest[LONG_SIDES] = { 0 }, angle[LONG_SIDES];
   size_t count = 8;
@@ -213,8 +215,8 @@ static bool equal_areas(const vs_area *a, const vs_area *b, double slack) {
   return same;
 }
 
-/* Adds a new kind with the forms of a part. The part's first corner is at the origin of its forms. Returns false when
- * memory is out. */
+/* Adds a kind that consists of parts like a, and its forms, one for each allowed angle. In each form, the part's first
+ * corner is at the origin. Returns false when memory is out. */
 static bool add_kind(nest *w, const vs_area *a, uint32_t part) {
   double angles[8 + 4 * LONG_SIDES];
   const vs_nest_rule *r = w->rule;
@@ -266,8 +268,8 @@ static bool add_sum(nest *w, const piece *q, vs_vec2 at, const piece *p) {
   return true;
 }
 
-/* Makes the sums of form f with those pieces on sheet s that can limit its place within the box `room`. Returns false
- * when memory is out. */
+/* Makes the sums of form f with pieces on sheet s: those that can limit the place of f within the box `room`. Returns
+ * false when memory is out. */
 static bool make_sums(nest *w, const sheet *s, const form *f, box room) {
   double gap = w->rule->gap;
   w->sum_count = w->sum_points = 0;
@@ -325,7 +327,8 @@ static void fine_lines(nest *w, double low, double y, double high, box room) {
   sort_lines(w);
 }
 
-/* Adds to each line the interval of x in which the sum s forbids the part. Returns false when memory is out. */
+/* Adds to each line the interval of x that the sum s excludes, because the part would overlap a piece there. Returns
+ * false when memory is out. */
 static bool add_spans(nest *w, const sum *s) {
   const vs_vec2 *at = w->sum_at + s->first;
   size_t n = s->count, right = s->low, left = s->low, i = 0, high = w->line_count;
@@ -355,7 +358,7 @@ static int by_start(const void *a, const void *b) {
   return p->from < q->from ? -1 : p->from > q->from;
 }
 
-/* Returns the least x from x0 to x1 that lies in no interval of the line, or infinity. */
+/* Returns the least x from x0 to x1 that lies in no interval of the line; infinity if there is none. */
 static double leftmost(nest *w, spans *l, double x0, double x1) {
   double x = x0;
   size_t kept = 0;
@@ -364,8 +367,8 @@ static double leftmost(nest *w, spans *l, double x0, double x1) {
   if (kept > 1) qsort(l->at, kept, sizeof *l->at, by_start);
   w->steps += 6 * kept;
   for (size_t i = 0; i < kept && l->at[i].from < x - w->slack; i++) x = fmax(x, l->at[i].to);
-  for (bool again = true; again;) { /* repeats the search, because an interval that begins just before x may have been
-                                     * skipped within the slack */
+  for (bool again = true; again;) { /* repeats the search: an interval that begins less than `slack` before x may have
+                                     * been skipped */
     again = false;
     for (size_t i = 0; i < kept; i++)
       if (l->at[i].from < x - w->slack && l->at[i].to > x + w->slack) x = l->at[i].to, again = true;
@@ -388,8 +391,8 @@ static double wanted(const nest *w, const form *f, double x, double y) {
   }
 }
 
-/* Replaces *best by the best place of a form on the lines, if that place is better. Sets *line to the index of its
- * line. Returns false when memory is out. */
+/* Searches the best place of a form on all lines. If it is better than *best, replaces *best and sets *line to the
+ * index of its line. Returns false when memory is out. */
 static bool look_on_lines(nest *w, size_t form_index, box room, spot *best, size_t *line) {
   const form *f = &w->forms[form_index];
   for (size_t i = 0; i < w->line_count; i++) w->spans[i].count = 0;
@@ -403,7 +406,7 @@ static bool look_on_lines(nest *w, size_t form_index, box room, spot *best, size
   return true;
 }
 
-/* Replaces *best by the best place of one form on sheet s, if that place is better. Returns false when memory is
+/* Searches the best place of one form on sheet s, and replaces *best if it is better. Returns false when memory is
  * out. */
 static bool look_for_form(nest *w, const sheet *s, size_t form_index, spot *best) {
   const form *f = &w->forms[form_index];
@@ -440,8 +443,8 @@ static bool lay(nest *w, sheet *s, uint32_t part, size_t form_index, vs_vec2 mov
   return true;
 }
 
-/* Makes the sheet with this index if it does not exist, or removes all parts from it. Returns false when memory is
- * out. */
+/* Makes sheet number `index` an empty sheet: makes a new one, or removes all parts from it. Returns false when memory
+ * is out. */
 static bool empty_sheet(nest *w, size_t index) {
   if (!VS_GROW(w->sheets, w->sheet_room, index + 1)) return false;
   if (index == w->sheet_count) {
@@ -476,20 +479,20 @@ static bool place_part(nest *w, uint32_t part, size_t *used) {
       return lay(w, s, part, best.form, w->laid[part].move);
     }
     s->full[k] = true;
-    if (!s->part_count) return false; /* cannot occur, because each kind fits on an empty sheet */
+    if (!s->part_count) return false; /* not reached, because each kind fits on an empty sheet */
   }
 }
 
-/* Returns the length to which a sheet is filled: the mean of its rightmost part's end and of the length that the area
- * of its parts requires. */
+/* Returns the length to which a sheet is filled: the mean of where its rightmost part ends and of the length that the
+ * area of its parts requires. */
 static double filled(const nest *w, const sheet *s) {
   double m = w->rule->margin, whole = (w->rule->width - 2 * m) * (w->rule->height - 2 * m);
   return (s->reach + w->rule->width * (whole - s->free) / whole) / 2;
 }
 
-/* Places the parts of `order` from index `from` on; earlier parts keep their places. Sets *cost: the number of
- * filled sheets, plus the fraction to which the last one is filled. Returns false when memory is out or the caller
- * interrupts. */
+/* Places the parts in the order `order`, from index `from` on; earlier parts keep their places. Sets *cost to the
+ * length of all sheets but the last, plus the length to which the last sheet is filled. Returns false when memory is
+ * out or the caller interrupts. */
 static bool place_all(nest *w, size_t from, double *cost) {
   size_t used = 0;
   for (size_t i = 0; i < from; i++) {
@@ -526,14 +529,14 @@ static int by_key(const void *a, const void *b) {
   return p->part < q->part ? -1 : p->part > q->part;
 }
 
-/* Sorts `order`, the largest parts first. by: selects area, extent, or both as the measure. */
+/* Sorts `order` by size, the largest parts first. by: number of the measure of size: area, extent, or both. */
 static bool rank_parts(nest *w, int by) {
   ranked *r = vs_fresh(w->parts, sizeof *r);
   for (uint32_t i = 0; r && i < w->parts; i++) {
     const kind *k = &w->kinds[w->kind_of[i]];
     r[i] = (ranked){ by == 0 ? k->area : by == 1 ? k->extent : k->area * k->extent, i };
-    r[i].key += 1e-9 * (double)(w->kind_count - w->kind_of[i]) * r[i].key; /* the small addition keeps parts of one kind
-                                                                            * together */
+    r[i].key += 1e-9 * (double)(w->kind_count - w->kind_of[i]) * r[i].key; /* the small addition makes parts of one kind
+                                                                            * neighbours in the order */
   }
   if (!r) return false;
   qsort(r, w->parts, sizeof *r, by_key);
@@ -542,7 +545,7 @@ static bool rank_parts(nest *w, int by) {
   return true;
 }
 
-/* Stores the places of the parts and their order in m: the best so far, or the one that is being changed. */
+/* Stores in m the present order of the parts, their places, and the cost. */
 static void remember(nest *w, memory *m, double cost) {
   m->cost = cost, m->wish = w->wish;
   m->reach = w->endless == SIZE_MAX ? INFINITY : w->endless < w->used ? w->sheets[w->endless].reach : 0;
@@ -571,9 +574,9 @@ static size_t change_order(nest *w) {
   return i < j ? i : j;
 }
 
-/* Changes the order repeatedly, until the work reaches most_steps, or the parts on the endless sheet fit within its
- * real size. Also ends after IDLE changes without an improvement. A change is kept if its cost is at most that of the
- * order LATE changes before. */
+/* Changes the order repeatedly, and keeps a change if its cost is at most the present cost or the cost LATE changes
+ * before. Ends when the work reaches most_steps, after IDLE changes without an improvement, or when the parts on the
+ * endless sheet fit within its real size. */
 static bool improve(nest *w, uint64_t most_steps) {
   double cost, late[LATE];
   recall(w, &w->best);
@@ -593,8 +596,8 @@ static bool improve(nest *w, uint64_t most_steps) {
   return true;
 }
 
-/* Finds an order. At first the last of the sheets that are needed at least is endless. If the search cannot avoid that,
- * parts beyond its end go to further sheets. */
+/* Finds an order of the parts. The parts' area requires a certain number of sheets; at first, the last of these is
+ * treated as endless. If parts still lie beyond its real end, they are placed on further sheets. */
 static bool search(nest *w) {
   double cost, area = 0, whole = (w->rule->width - 2 * w->rule->margin) * (w->rule->height - 2 * w->rule->margin);
   for (size_t i = 0; i < w->parts; i++) area += w->kinds[w->kind_of[i]].area;
@@ -613,7 +616,7 @@ static bool search(nest *w) {
   return improve(w, w->most_steps);
 }
 
-/* Finds the kinds of parts with equal shape. Sets *unfit to the first part that is too large for the sheet. */
+/* Divides the parts into kinds with equal shape. Sets *unfit to the first part that is too large for the sheet. */
 static bool find_kinds(nest *w, const vs_area *parts, size_t *unfit) {
   *unfit = w->parts;
   for (size_t i = 0; i < w->parts; i++) {

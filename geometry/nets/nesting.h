@@ -6,10 +6,9 @@
 #include "geometry/plane/areas.h"
 #include "model/long_work.h"
 
-/* The size of the sheets, and the rules for parts on them. The allowed rotations are `angles`, in radians. If
- * angle_count is 0, each part has eighths of a turn, and the rotations that lay its longest edges along the sheet's
- * sides. gap: distance between parts; margin: distance from the sheet's border. The search tries orders of the parts
- * until its work exceeds `effort`, in about seconds; it always finishes one order. */
+/* The sheets, and the rules for parts on them. angles: allowed rotations, in radians; if angle_count is 0, eighths of a
+ * turn, and rotations that lay long edges along the sheet's sides. gap: distance between parts; margin: distance from
+ * the sheet's border. The search tries orders of the parts for about `effort` seconds; it always finishes one order. */
 typedef struct {
   double width, height, gap, margin;
   const double *angles;
@@ -24,9 +23,9 @@ typedef struct {
   vs_vec2 move;
 } vs_nest_place;
 
-/* Places all parts. `places` has room for one element for each part. *unfit becomes the index of a part that is larger
- * than the sheet in every allowed rotation, or `count` if there is none; then all places are set, and *sheets is the
- * number of sheets. Returns false when memory is out or the caller interrupts; *stopped is true in the second case. */
+/* Places all parts. `places` has an element for each part. *unfit: index of a part that is larger than the sheet in
+ * every allowed rotation, or `count` if all fit. If all fit, all places are set, and *sheets is the number of sheets.
+ * Returns false when memory is out or the caller interrupts; *stopped is true in the second case. */
 bool vs_areas_nest(const vs_area *parts, size_t count, const vs_nest_rule *rule, vs_long_work work,
                    vs_nest_place *places, size_t *sheets, size_t *unfit, bool *stopped);
 

@@ -13,15 +13,16 @@
 
 #include "model/store/array.h"
 
-enum { MOST_TRIANGLES = 1000000 }; /* greatest number of triangles over which one walk goes */
-#define BEYOND .01 /* fraction of the distance: a point that is farther than this beyond a border of the mesh is
+enum { MOST_TRIANGLES = 1000000 }; /* greatest number of triangles that one walk may cross */
+#define BEYOND .01 /* fraction of the offset distance: points that are farther beyond a border of the mesh than this are
                     * omitted */
 
 /* ---- a straight walk over triangles ---- */
 
 typedef struct {
   uint32_t triangle;
-  vs_vec3 at, way; /* at: position of the walker; way: unit vector of its direction, in the plane of its triangle */
+  vs_vec3 at, way; /* at: position of the walker; way: unit vector of its direction, in the plane of the triangle where
+                    * it is */
 } walker;
 
 static vs_vec3 normal_of(const vs_mesh_edges *s, uint32_t t) {
@@ -32,8 +33,8 @@ static vs_vec3 normal_of(const vs_mesh_edges *s, uint32_t t) {
 /* Returns the part of v perpendicular to the unit vector `along`. */
 static vs_vec3 across(vs_vec3 v, vs_vec3 along) { return vs_v3_sub(v, vs_v3_scale(along, vs_v3_dot(v, along))); }
 
-/* Returns the edge (0, 1 or 2) at which the walker leaves its triangle, other than the edge `came` over which it
- * entered. *far: distance to that edge along the walk. Returns 3 if there is none. */
+/* Returns the edge (0, 1 or 2) at which the walker leaves its triangle. came: the edge at which it entered, which is
+ * excluded. *far: distance to the edge along the walk. Returns 3 if there is none. */
 static int edge_ahead(const vs_mesh_edges *s, const walker *w, uint32_t came, double *far) {
   vs_vec3 up = normal_of(s, w->triangle);
   int best = 3;
@@ -50,8 +51,8 @@ static int edge_ahead(const vs_mesh_edges *s, const walker *w, uint32_t came, do
   return best;
 }
 
-/* Moves the walker across edge k (0, 1 or 2) of its triangle into the neighbouring triangle. Sets *came to the edge's
- * number there. Returns false if the edge is a border. */
+/* Moves the walker across edge k (0, 1 or 2) of its triangle into the neighbouring triangle. *came: receives the number
+ * of this edge in the neighbouring triangle. Returns false if the edge is a border. */
 static bool cross_edge(const vs_mesh_edges *s, walker *w, int k, uint32_t *came) {
   uint32_t e = s->of[w->triangle][k];
   const vs_mesh_edge *edge = &s->edges[e];
@@ -87,8 +88,8 @@ static bool walk(const vs_mesh_edges *s, walker *w, double length) {
   return false;
 }
 
-/* Returns true if p is farther than `far` beyond a border of the mesh. `place` is the point of the mesh nearest to p,
- * on triangle t. */
+/* Returns true if p is more than `far` beyond a border of the mesh. place: the point of the mesh nearest to p, which
+ * lies on triangle t. */
 static bool beyond_border(const vs_mesh_edges *s, uint32_t t, vs_vec3 place, vs_vec3 p, double far) {
   if (vs_v3_length(vs_v3_sub(p, place)) <= far) return false;
   for (int k = 0; k < 3; k++) {
@@ -102,14 +103,14 @@ static bool beyond_border(const vs_mesh_edges *s, uint32_t t, vs_vec3 place, vs_
 /* ---- loops of the offset ---- */
 
 typedef struct {
-  vs_vec3 at, tangent, up; /* at: end of a walk; tangent: direction of the original curve, transported along the walk;
-                            * up: normal of the mesh there */
+  vs_vec3 at, tangent, up; /* at: end of a walk; tangent: direction of the original curve, carried along the walk; up:
+                            * normal of the mesh at the end */
   bool there;
 } reached;
 
 typedef struct {
   reached *at;
-  size_t count; /* number of points of a run, a part of the offset curve in which every point is joined to the next */
+  size_t count; /* number of points of a run; a run is a part of the offset curve without a gap */
   bool closed;
 } run;
 
@@ -120,8 +121,8 @@ static bool goes_back(const run *r, size_t i) {
   return vs_v3_dot(vs_v3_sub(r->at[after(r, i)].at, r->at[i].at), r->at[i].tangent) < 0;
 }
 
-/* Returns true if segments i and j of the run intersect as seen along the normal at i, and their distance along it is
- * less than their lengths. *place: their intersection. */
+/* Returns true if segments i and j of the run intersect as seen along the mesh's normal at i, and their distance along
+ * this normal is less than their lengths. *place: their intersection. */
 static bool cross_at(const run *r, size_t i, size_t j, vs_vec3 *place) {
   vs_vec3 p = r->at[i].at, u = vs_v3_sub(r->at[after(r, i)].at, p), q = r->at[j].at;
   vs_vec3 v = vs_v3_sub(r->at[after(r, j)].at, q), up = r->at[i].up, d = vs_v3_sub(q, p);
@@ -149,7 +150,7 @@ static void cut_loop(run *r, size_t i, size_t j, vs_vec3 place) {
   reached corner = r->at[i];
   VS_ASSERT(i < r->count && j < r->count);
   corner.at = place;
-  if (i < j) { /* the loop does not contain the end of the array */
+  if (i < j) { /* the loop that is cut off does not contain the end of the array */
     r->at[i + 1] = corner;
     memmove(r->at + i + 2, r->at + j + 1, (r->count - j - 1) * sizeof *r->at);
     r->count -= j - i - 1;
@@ -220,8 +221,8 @@ bool vs_mesh_offset_curve(const vs_mesh_edges *s, const vs_offset_row *from, dou
     run whole = { ends, count, true };
     ok = put_run(&whole, out, poll);
   } else if (ok) {
-    /* The points of a closed curve are processed from a gap between two runs on, so that no run extends across the
-     * array's end. */
+    /* If the curve is closed, begins at a gap between two runs (parts without a gap). Then no run continues across the
+     * end of the array. */
     size_t first = closed ? gap : 0;
     memcpy(ends + count, ends, count * sizeof *ends);
     for (size_t i = 0; ok && i < count;) {

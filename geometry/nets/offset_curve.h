@@ -17,7 +17,7 @@ typedef struct {
   bool closed; /* true if the last point is joined to the first point, which is not repeated */
 } vs_offset_row;
 
-/* A point of the offset curve. first: true if it is not joined to the point before it. */
+/* A point of the offset curve. first: true if a gap separates it from the point before it. */
 typedef struct {
   vs_vec3 at;
   bool first;
@@ -29,12 +29,11 @@ typedef struct {
   size_t count, room;
 } vs_offset_points;
 
-/* From each point of a curve, walks the distance perpendicular to the curve, straight over the triangles. The ends are
- * the offset curve. It walks to the left, as seen from the side to which the triangles face, or to the right if the
- * distance is negative. Omits walks that reach a border of the mesh, and points beyond a border. Cuts off loops where
- * the distance exceeds the curve's radius. If the curve is closed and its offset has no gap, the first point is
- * repeated at the end. Calls `poll` once for each point. Returns false when `poll` interrupts or memory is out. The
- * caller frees out->at in either case. */
+/* Computes the curve at the given distance from a curve on the mesh: to the left, as seen from the side to which the
+ * triangles face, or to the right if the distance is negative. From each point, walks straight over the triangles,
+ * perpendicular to the curve. Omits walks that leave the mesh, and cuts off loops where the distance exceeds the
+ * curve's radius. A closed result repeats its first point. Calls `poll` once for each point. Returns false when `poll`
+ * interrupts or memory is out. The caller frees out->at in either case. */
 bool vs_mesh_offset_curve(const vs_mesh_edges *s, const vs_offset_row *from, double distance, vs_poller poll,
                           vs_offset_points *out);
 

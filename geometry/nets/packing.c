@@ -15,7 +15,7 @@
 typedef struct {
   vs_vec2 at;
   double half, promise;
-  size_t seen; /* number of placed circles that this square's upper bound takes into account */
+  size_t seen; /* number of circles that were placed when this square's upper bound was computed */
 } square;
 
 typedef struct {
@@ -48,8 +48,8 @@ static double within(const vs_area *a, vs_vec2 p) {
   return in ? d : -d;
 }
 
-/* Returns the largest radius of a circle about p that does not overlap the placed circles with the index `from` or a
- * greater one. The result is at most so_far. */
+/* Returns the largest radius of a circle about p that overlaps none of the placed circles from index `from` on. The
+ * result is at most so_far. */
 static double room_for(const packing *w, vs_vec2 p, double so_far, size_t from) {
   VS_ASSERT(from <= w->count);
   for (size_t i = from; i < w->count; i++)
@@ -77,7 +77,8 @@ static square pop(packing *w) {
   return top;
 }
 
-/* Returns the square with the centre `at` and the half side `half`, with its upper bound for the radius of a circle. */
+/* Returns the square with the centre `at` and half the side length `half`, with its upper bound for the radius of a
+ * circle whose centre lies in it. */
 static square look(const packing *w, vs_vec2 at, double half) {
   double r = room_for(w, at, within(w->area, at) - w->gap, 0);
   return (square){ at, half, r + half * sqrt(2), w->count };
@@ -102,12 +103,12 @@ bool vs_area_pack(const vs_area *area, const vs_packing_rule *rule, vs_long_work
   size_t turns = 0;
   while (ok && w.count < n) {
     vs_packed best = { { 0, 0 }, 0 };
-    square *kept = NULL; /* squares that were evaluated for the current circle; they return to the heap for the next
-                          * circle */
+    square *kept = NULL; /* squares that were evaluated for the current circle; they are put back into the heap for the
+                          * next circle */
     size_t kept_count = 0, kept_room = 0;
     while (ok && w.squares && w.heap[0].promise > fmax(least, best.radius * 1.001)) {
       square s = pop(&w);
-      if (s.seen < w.count) { /* circles that were placed after the square's bound was computed may have lowered it, so
+      if (s.seen < w.count) { /* circles were placed after the square's bound was computed, and may have lowered it, so
                                * it is computed again */
         double r = room_for(&w, s.at, s.promise - s.half * sqrt(2), s.seen);
         s.promise = r + s.half * sqrt(2), s.seen = w.count;

@@ -10,11 +10,12 @@ typedef struct {
   double radius;
 } vs_packed;
 
-/* most: greatest number of circles; least: smallest radius; gap: distance between two circles, and from the border. */
+/* Rules for the packing. most: greatest number of circles; least: smallest radius; gap: distance between two circles,
+ * and of a circle from the border. */
 typedef struct { size_t most; double least, gap; } vs_packing_rule;
 
-/* Places circles in the area. Each circle has the largest radius that fits beside the circles before it, or at most a
- * thousandth less. `circles` has room for rule->most elements; *count becomes the number of circles. Returns false when
+/* Places circles in the area. Each circle has the largest radius that fits beside the circles before it, within a
+ * thousandth. `circles` has room for rule->most elements; *count becomes the number of circles. Returns false when
  * memory is out, or the caller interrupts; *stopped is true in the second case. */
 bool vs_area_pack(const vs_area *area, const vs_packing_rule *rule, vs_long_work work, vs_packed *circles,
                   size_t *count, bool *stopped);

@@ -1,7 +1,8 @@
 /* Implements shortest ways and views in plans (plan_ways.h).
  *
- * A shortest way turns only at corners that jut into a room. Dijkstra's method walks from the exits over the places
- * that see each other; it asks whether two places see each other only if that could shorten a way. */
+ * A shortest way turns only at corners that jut into a room. Dijkstra's method walks from the exits over places
+ * (corners, doors, exits) that see each other. Whether two places see each other is tested only if that could shorten a
+ * way. */
 #include "geometry/nets/plan_ways.h"
 
 #include <math.h>
@@ -9,8 +10,8 @@
 
 #include "model/store/array.h"
 
-#define BLUR 1e-9 /* shorter distances, as a part of the plan's size, are rounding */
-#define ASIDE 1e-7 /* radians by which a view passes a corner */
+#define BLUR 1e-9 /* distances below this fraction of the plan's size count as 0, because they may be rounding errors */
+#define ASIDE 1e-7 /* angle, in radians, by which a line of sight is turned to pass a corner on one side */
 
 static vs_vec2 minus(vs_vec2 a, vs_vec2 b) { return (vs_vec2){ a.x - b.x, a.y - b.y }; }
 static vs_vec2 between(vs_vec2 a, vs_vec2 b, double t) {
@@ -28,7 +29,7 @@ static double blur(const vs_plan *p) {
 
 /* ---- edges ---- */
 
-/* The edges of a room, in turn. */
+/* An iteration over the edges of a room's walls and obstacles. */
 typedef struct { const vs_plan *p; size_t room, loop, first, i; } edges;
 
 static edges edges_of(const vs_plan *p, size_t room) { return (edges){ .p = p, .room = room }; }
@@ -54,7 +55,7 @@ static double distance_to_edge(vs_vec2 q, vs_vec2 a, vs_vec2 b) {
   return length(minus(q, between(a, b, fmin(1, fmax(0, t)))));
 }
 
-/* Returns true if q is in the room; on its border if `border` is true, too. */
+/* Returns true if the point q is inside the room, or on its border and `border` is true. */
 static bool in_room(const vs_plan *p, size_t room, vs_vec2 q, bool border, double eps) {
   bool inside = false;
   vs_vec2 a, b;
@@ -72,9 +73,9 @@ bool vs_plan_contains(const vs_plan *p, vs_vec2 at) {
   return false;
 }
 
-/* ---- sight ---- */
+/* ---- lines of sight ---- */
 
-/* Parts of a segment at which it touches the border. */
+/* Intervals of a segment in which it touches the room's border. */
 typedef struct { double *at; size_t count, room; } touches;
 
 static bool touch(touches *t, double at) {
@@ -91,7 +92,8 @@ static int by_size(const void *a, const void *b) {
 
 typedef enum { SEEN, HIDDEN, NO_MEMORY } sight;
 
-/* Notes where the edge ab touches the segment from p along d. Returns HIDDEN if the edge crosses the segment. */
+/* Adds to t where the edge from a to b touches the segment that begins at p and goes along d. Returns HIDDEN if the
+ * edge crosses the segment. */
 static sight meet_edge(vs_vec2 p, vs_vec2 d, vs_vec2 a, vs_vec2 b, double eps, touches *t) {
   vs_vec2 e = minus(b, a), w = minus(a, p);
   double long_d = length(d), long_e = length(e), across = cross(d, e);
@@ -108,8 +110,8 @@ static sight meet_edge(vs_vec2 p, vs_vec2 d, vs_vec2 a, vs_vec2 b, double eps, t
   return touch(t, at) ? SEEN : NO_MEMORY;
 }
 
-/* Returns whether the segment from p to q is in the room. It may touch the border: between two touches, it is inside if
- * its middle is. */
+/* Returns whether the segment from p to q lies in the room. It may touch the border. Between two touches, it is inside
+ * if its middle is. */
 static sight sees_in(const vs_plan *plan, size_t room, vs_vec2 p, vs_vec2 q, double eps, touches *t) {
   vs_vec2 d = minus(q, p), a, b;
   if (length(d) <= eps) return in_room(plan, room, p, true, eps) ? SEEN : HIDDEN;
@@ -166,7 +168,7 @@ static bool add_corners(const vs_plan *p, double eps, vs_plan_place **out, size_
   return true;
 }
 
-/* Walks from the exits, whose ways have the length 0, to all places. */
+/* Finds the shortest ways from all places to the exits, by Dijkstra's method. Exits have ways of length 0. */
 static vs_plan_outcome walk(const vs_plan *p, vs_plan_place *places, size_t count, vs_long_work work) {
   double eps = blur(p);
   touches t = { 0 };
@@ -220,8 +222,8 @@ bool vs_plan_way(const vs_plan *p, const vs_plan_place *places, size_t count, vs
 
 /* ---- views ---- */
 
-/* Finds the edge at which a view from p in the direction d ends, in the room; returns false if there is none. Sets *q
- * to the point of that edge's line in the direction `exact`. */
+/* Finds the first edge of the room that a ray from p in the direction d hits; returns false if there is none. d is
+ * slightly beside a corner. *q: the point on that edge's line in the direction `exact`, to the corner itself. */
 static bool reach(const vs_plan *plan, size_t room, vs_vec2 p, vs_vec2 d, vs_vec2 exact, double eps, vs_vec2 *q) {
   double most = INFINITY;
   vs_vec2 a, b;
@@ -238,7 +240,7 @@ static bool reach(const vs_plan *plan, size_t room, vs_vec2 p, vs_vec2 d, vs_vec
   return most < INFINITY;
 }
 
-/* Returns the corner of the room that is nearly at q, or q itself. */
+/* Returns the corner of the room within `near` of q; returns q itself if there is none. */
 static vs_vec2 nearly_corner(const vs_plan *plan, size_t room, vs_vec2 q, double near) {
   vs_vec2 a, b;
   for (edges e = edges_of(plan, room); next_edge(&e, &a, &b);)
@@ -247,7 +249,7 @@ static vs_vec2 nearly_corner(const vs_plan *plan, size_t room, vs_vec2 q, double
 }
 
 bool vs_plan_view(const vs_plan *p, vs_vec2 from, vs_vec2 **out, size_t *count) {
-  double eps = blur(p), *angles; /* directions of the corners */
+  double eps = blur(p), *angles; /* angles: directions from the viewpoint to the corners of the room, in radians */
   size_t room = 0, corners = 0;
   *out = NULL, *count = 0;
   while (room < p->rooms && !in_room(p, room, from, false, eps)) room++;

@@ -1,4 +1,4 @@
-/* Declares the planarization of a net's faces by small moves of their corners. */
+/* Declares a function that makes the faces of a net planar by small moves of their corners. */
 #ifndef VS_GEOMETRY_NETS_PLANARITY_H
 #define VS_GEOMETRY_NETS_PLANARITY_H
 

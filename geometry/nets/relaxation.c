@@ -12,14 +12,14 @@
 
 #include "model/store/array.h"
 
-/* ROUNDS: greatest number of rounds in which unstrained lengths are adjusted; POLL: steps between two questions to the
- * caller; STIFFER: stiffness of a cable for a strain of 1, in units of its greatest force. Stiffer springs need more
- * steps but fewer rounds. After SOFT rounds springs become stiffer, which only nets with many load paths need. */
+/* ROUNDS: greatest number of rounds in which unstrained lengths are adjusted. SOFT: rounds after which springs become
+ * stiffer; only nets with many load paths need that. POLL: number of steps between two calls of the caller. STIFFER:
+ * stiffness of a cable in units of its greatest force; stiffer springs need more steps but fewer rounds. */
 enum { ROUNDS = 24, SOFT = 8, POLL = 64, STIFFER = 10 };
 
 typedef struct {
   vs_net *net;
-  double *rest; /* rest[k]: length of member k without load */
+  double *rest; /* rest[k]: length of member k when it carries no load */
   vs_vec3 *force, *speed;
   double *mass;
   size_t rest_room, force_room, speed_room, mass_room;
@@ -34,8 +34,8 @@ static uint32_t root_of(uint32_t *parent, uint32_t i) {
   return i;
 }
 
-/* Checks that every part of the net with a load is connected to a fixed point. *where: a point of a part that is
- * not. */
+/* Checks that every part of the net that carries a load is connected to a fixed point. *where: a loaded point without
+ * such a connection. */
 static vs_relax_outcome held(const vs_net *n, size_t *where) {
   uint32_t *parent = NULL;
   bool *has = NULL;
@@ -62,7 +62,8 @@ static vs_relax_outcome held(const vs_net *n, size_t *where) {
 
 /* ---- forces ---- */
 
-/* Computes, from the positions of the net's points, the force on each point, its mass, and the force in each member. */
+/* Computes, from the positions of the net's points, the force on each point, the mass of each point, and the force in
+ * each member. */
 static void look(relaxation *r) {
   vs_net *n = r->net;
   r->greatest = 0;
@@ -124,7 +125,7 @@ static vs_relax_outcome settle(relaxation *r, double tolerance, vs_long_work wor
     bool peak = energy < before;
     for (size_t i = 0; i < n->count; i++) {
       if (n->fixed[i] || !(r->mass[i] > 0)) continue;
-      /* The maximum of the energy was about half a step before the last step, so the points move back. */
+      /* The kinetic energy had its maximum about half a step ago, so the points move back by half a step. */
       vs_vec3 back = vs_v3_scale(vs_v3_sub(vs_v3_scale(r->force[i], 1 / r->mass[i]), r->speed[i]), .5);
       n->at[i] = vs_v3_add(n->at[i], peak ? back : r->speed[i]);
     }
@@ -133,8 +134,8 @@ static vs_relax_outcome settle(relaxation *r, double tolerance, vs_long_work wor
   }
 }
 
-/* Returns true if all taut cables have the required lengths, with a relative error of at most `share`. Otherwise
- * adjusts their lengths without load for the next round. */
+/* Returns true if all taut cables have their required lengths, with a relative error of at most `share`. Otherwise
+ * adjusts the cables' lengths without load, for the next round. */
 static bool lengths_hold(relaxation *r, double share) {
   bool hold = true;
   for (size_t k = 0; k < r->net->member_count; k++) {
@@ -147,7 +148,7 @@ static bool lengths_hold(relaxation *r, double share) {
   return hold;
 }
 
-/* Moves the points until forces are balanced and cables of fixed length have these lengths. Each round calls settle
+/* Moves the points until the forces are balanced and cables of fixed length have their lengths. Works in rounds, each
  * with other lengths of the cables without load. */
 static vs_relax_outcome settle_lengths(relaxation *r, double tolerance, vs_long_work work, vs_relax_report *out) {
   double share = fmax(1e-9, 10 * tolerance), rough = 1e-2;

@@ -32,7 +32,8 @@ typedef struct {
 typedef enum {
   VS_RELAX_DONE,
   VS_RELAX_LOOSE,   /* point number `where` has a load, and no members connect it to a fixed point */
-  VS_RELAX_SHORT,   /* cable number `where` cannot shorten to its length, because fixed points hold its ends apart */
+  VS_RELAX_SHORT,   /* cable number `where` cannot become as short as required, because fixed points hold its ends
+                     * apart */
   VS_RELAX_FAR,     /* the forces are not balanced after VS_RELAX_STEPS steps; `residual` is the remaining imbalance */
   VS_RELAX_STOPPED, /* the caller has interrupted */
   VS_RELAX_MEMORY
@@ -45,8 +46,8 @@ typedef struct {
   size_t steps, where;
 } vs_relax_report;
 
-/* Moves the free points of the net until the greatest unbalanced force, as a fraction (residual), is at most
- * `tolerance`, which is above 0. */
+/* Moves the free points of the net until the forces are balanced: the greatest unbalanced force, divided by the
+ * greatest force in a member, is at most `tolerance`, which is above 0. */
 vs_relax_outcome vs_net_relax(vs_net *n, double tolerance, vs_long_work work, vs_relax_report *out);
 
 #endif

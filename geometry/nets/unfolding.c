@@ -1,8 +1,8 @@
 /* Implements the unfolding of closed meshes (unfolding.h).
  *
- * A run processes the edges in some order, and joins the two pieces at an edge if they then do not overlap in the
- * plane. A fourth of the orders put long edges first, and a fourth are random. The others put the steepest edge at
- * each vertex last, each for a random upward direction (W. Schlickenrieder's steepest-edge cuts, which suit convex
+ * A run processes the edges in some order. At each edge, it joins the two pieces beside it if they then do not overlap
+ * in the plane. A fourth of the orders put long edges first, and a fourth are random. The others put the steepest edge
+ * at each vertex last, each for a random upward direction (W. Schlickenrieder's steepest-edge cuts, which suit convex
  * solids). */
 #include "geometry/nets/unfolding.h"
 
@@ -18,7 +18,7 @@ enum {
   PATIENCE = 300000000   /* number of comparisons of triangles after which no further order of the edges is tried */
 };
 
-/* Returns true if the triangles a and b overlap by more than the slack, so that no side of a or b separates them. Each
+/* Returns true if the triangles a and b overlap by more than the slack: no side of a or b separates them. Their corners
  * may be clockwise. */
 static bool overlap(const vs_vec2 a[3], const vs_vec2 b[3], double slack) {
   for (int pass = 0; pass < 2; pass++) {
@@ -60,14 +60,14 @@ typedef struct {
                             * p */
   uint32_t *order;         /* numbers of the edges in the order in which the run processes them */
   double *weight;          /* weight[e]: weight of edge e; an edge with a smaller weight is processed earlier */
-  uint32_t *steepest;      /* steepest[v]: the steepest edge at vertex v, which is processed last */
+  uint32_t *steepest;      /* steepest[v]: the steepest edge at vertex v, which the run processes last */
   vs_vec2 (*best)[3];      /* best[t]: positions in the plane of the corners of triangle t, as the run with the fewest
                             * pieces so far has laid it */
   uint32_t *best_piece;
   uint32_t *near;          /* triangles of the larger piece that lie in the bounding box of the smaller piece */
-  vs_vec2 (*moved)[3];     /* moved[i]: position of triangle who[i] of the smaller piece after it was moved beside the
+  vs_vec2 (*moved)[3];     /* moved[i]: corners of a triangle of the smaller piece after the piece was moved beside the
                             * larger piece */
-  uint32_t *who;           /* who[i]: number of the triangle whose position is moved[i] */
+  uint32_t *who;           /* who[i]: number of the triangle whose corners are moved[i] */
   double tried;            /* number of pairs of triangles that were compared so far, which limits the search */
 } run;
 
@@ -203,12 +203,13 @@ static bool sort_edges(run *r) {
   return true;
 }
 
-/* Makes each flat face a separate piece, at the beginning of a run. vs_flat_net_unroll has laid the triangles of a face
- * beside each other. */
+/* At the beginning of a run, makes each flat face a separate piece. vs_flat_net_unroll has placed the triangles of a
+ * face beside each other. */
 static void separate(run *r) {
   vs_flat_net *s = r->s;
   size_t n = s->edges.m->triangle_count;
-  uint32_t *first = r->near; /* first[p]: first triangle of flat face p; the array `near` is reused */
+  uint32_t *first = r->near; /* first[p]: number of the first triangle of flat face p; uses the memory of the array
+                              * `near` */
   for (size_t f = 0; f < s->faces; f++) first[f] = VS_MESH_NONE, r->count[f] = 0;
   for (uint32_t t = 0; t < n; t++) {
     uint32_t f = s->piece[t] = s->face[t];
@@ -289,8 +290,8 @@ static void border_ends(const vs_flat_net *s, uint32_t t, uint32_t e, vs_vec2 en
   }
 }
 
-/* Finds the widest glue tab that fits at edge e of triangle t. Tries `width`, then 0.75 times the last width each time,
- * down to a fifth of `width`. Returns the tab's width, or 0 if none fits. out: its outer corners. */
+/* Finds the widest glue tab that fits at edge e of triangle t. Tries `width` first, then three quarters of it, and so
+ * on, down to a fifth of `width`. Returns the tab's width, or 0 if none fits. out: its two outer corners. */
 static double widest(const tab_field *f, uint32_t t, uint32_t e, double width, vs_vec2 out[2]) {
   vs_vec2 p[2];
   border_ends(f->s, t, e, p);

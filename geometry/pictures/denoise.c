@@ -16,14 +16,14 @@ enum { REACH = 5, LAYERS = 6 };
 typedef struct {
   uint32_t columns, rows;
   const float *color[3];
-  const float *layer[LAYERS]; /* channels of albedo (colour of surfaces) and normal; either all are present or all are
-                               * NULL */
+  const float *layer[LAYERS]; /* channels of the albedo (colour of surfaces) and of the surfaces' normals; all are
+                               * present, or all are NULL */
   const float *light;         /* light[i]: logarithm of the luminance of pixel i */
   bool guided;
 } guide;
 
-/* Returns the dissimilarity of the pixels a and b: the sum over the channels of squared differences, each divided by
- * twice the channel's variance. */
+/* Returns the dissimilarity of the pixels a and b: squared differences, each divided by twice the variance of its
+ * channel, summed over the channels. */
 static double unlike(const guide *g, size_t a, size_t b) {
   const double albedo = 1 / (2 * 0.05 * 0.05), normal = 1 / (2 * 0.15 * 0.15), light = g->guided ? 0.6 : 0.25;
   double d = (double)g->light[a] - (double)g->light[b], sum = d * d / (2 * light * light);

@@ -57,7 +57,7 @@ void vs_false_color(const vs_color_scale *s, double x, unsigned char rgb[3]) {
   palette(share, rgb);
 }
 
-/* ---- the legend; letters are five dots wide and seven high ---- */
+/* ---- the legend; a letter is five dots wide and seven dots high ---- */
 
 enum { LETTER_WIDE = 5, LETTER_HIGH = 7, ADVANCE = 6, STRIP = 76, BAR = 14, MARGIN = 6 };
 
@@ -91,8 +91,8 @@ static void write_number(const vs_pixels *c, uint32_t x, uint32_t y, double valu
   vs_picture_text(c, x, y, text);
 }
 
-/* Draws the legend: the bar from bottom to top, the unit above it, and round numbers beside it where there is room for
- * them. left: column where it begins. */
+/* Draws the legend into the picture c: a bar with the colours from bottom to top, the unit above it, and round numbers
+ * beside it where there is room. left: column where the legend begins. */
 static void draw_legend(const vs_pixels *c, const vs_color_scale *s, uint32_t left) {
   uint32_t top = LETTER_HIGH + 2 * MARGIN, bottom = c->rows - MARGIN - LETTER_HIGH / 2, length = bottom - top;
   static const unsigned char ink[3] = { 32, 32, 32 };

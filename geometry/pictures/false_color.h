@@ -5,22 +5,23 @@
 #include "geometry/files/pixels.h"
 #include "model/node.h"
 
-/* The scale of colours: numbers from least to most become colours from dark blue through green and yellow to dark red.
- * steps > 0: number of equal bands with one colour each. */
+/* The scale of colours: numbers from `least` to `most` become colours from dark blue through green and yellow to dark
+ * red. steps: number of equal bands, each with one colour; 0: colours change continuously. */
 typedef struct {
   double least, most;
   bool logarithmic;
   int steps;
-  const char *unit; /* text of the unit, such as "lx"; only digits and the letters of "cd/m2 h lx" can be drawn */
+  const char *unit; /* text of the unit of the numbers, such as "lx"; only digits and the letters of "cd/m2 h lx" can be
+                     * drawn */
 } vs_color_scale;
 
-/* Returns a scale for `count` numbers at `at`, which ignores a hundredth of them at either end of the range. If
- * logarithmic, it covers the numbers above 0, and at most six powers of ten. */
+/* Returns a scale for `count` numbers at `at`. The least and the greatest hundredth of the numbers are outside of its
+ * range. If `logarithmic` is true, it covers only numbers above 0, and at most six powers of ten. */
 vs_color_scale vs_color_scale_of(const float *at, size_t count, bool logarithmic, const char *unit);
 /* Sets rgb to the colour of the number x as sRGB bytes, by Anton Mikhailov's colour map Turbo (Google AI Blog,
  * 2019). */
 void vs_false_color(const vs_color_scale *s, double x, unsigned char rgb[3]);
-/* A number for each pixel, in rows from the top; NaN: the pixel has no number. */
+/* A number for each pixel, row by row from the top; NaN if the pixel has no number. */
 typedef struct { const float *at; uint32_t columns, rows; } vs_pixel_numbers;
 
 /* Makes a picture of the numbers and a legend, in the store's memory. Pixels without a number stay blank. Returns false
@@ -28,7 +29,8 @@ typedef struct { const float *at; uint32_t columns, rows; } vs_pixel_numbers;
 bool vs_false_color_picture(vs_store *store, const vs_pixel_numbers *numbers, const vs_color_scale *s, vs_pixels *out,
                             vs_error *e);
 
-/* Draws dark text into a picture, with the letters of the legend. (x, y): upper left corner of the text, in pixels. */
+/* Draws dark text into a picture, in letters of five by seven pixels. (x, y): upper left corner of the text, in
+ * pixels. */
 void vs_picture_text(const vs_pixels *picture, uint32_t x, uint32_t y, const char *text);
 
 #endif

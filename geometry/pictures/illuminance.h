@@ -5,18 +5,18 @@
 
 #include "geometry/files/exr.h"
 
-/* Pointers to the channels of a picture from which illuminance is computed. If the picture lacks a channel, at least
- * one of the pointers is NULL. */
+/* The channels of a picture from which illuminance is computed. A pointer is NULL if the picture does not have its
+ * channel. */
 typedef struct { const float *light[3], *albedo[3], *upward; /* light, albedo: channels of light and of surface colour;
                                                               * upward: channel N.Z, the vertical component of the
                                                               * surface's normal */ } vs_lit_surfaces;
 
 vs_lit_surfaces vs_lit_surfaces_of(const vs_exr *x);
 bool vs_lit_surfaces_are_known(const vs_lit_surfaces *s);
-/* Returns the illuminance of the surface at the pixel, in the picture's units. A matt surface of reflectance r that
- * receives E reflects E r / pi in every direction. Therefore E is pi times the reflected light divided by r, for each
- * colour; the colours are weighted as for luminance. Returns NaN if the pixel shows no surface, or a reflectance below
- * a two-hundredth. */
+/* Returns the illuminance of the surface at the pixel, in the picture's units. A matt surface with the reflectance r
+ * and the illuminance E reflects E r / pi in every direction. Therefore E is pi / r times the reflected light of each
+ * colour; the colours are weighted as for luminance. Returns NaN if the pixel shows no surface, or r is below a
+ * two-hundredth. */
 double vs_illuminance_at(const vs_lit_surfaces *s, size_t pixel);
 /* Returns true if the pixel shows a floor: a surface that faces up and is horizontal within 3 degrees. */
 bool vs_is_floor(const vs_lit_surfaces *s, size_t pixel);

@@ -16,7 +16,7 @@ typedef struct { double *at, *scratch; uint32_t columns, rows; const double *win
 
 static uint32_t within(int64_t x, uint32_t count) { return x < 0 ? 0 : x >= count ? count - 1 : (uint32_t)x; }
 
-/* Blurs the plane (one component of a picture) with the Gaussian window, first along its rows and then along its
+/* Blurs a plane (one number for each pixel) with the Gaussian window, first along the rows and then along the
  * columns. */
 static void blur(const plane *p) {
   for (uint32_t y = 0; y < p->rows; y++)

@@ -7,7 +7,8 @@
 
 /* ---- exposure ---- */
 
-/* Constants of a histogram of the logarithm to base 2 of luminance. A stop, a factor of two, has sixteen bins. */
+/* A histogram of luminance, by its logarithm to base 2 in stops. A stop is a factor of two. BINS_A_STOP: number of bins
+ * for each stop; LEAST_STOP: lowest stop; STOPS: number of stops. */
 enum { BINS_A_STOP = 16, LEAST_STOP = -24, STOPS = 48, BINS = STOPS * BINS_A_STOP };
 
 static double luminance(const vs_light *l, size_t i) {
@@ -23,8 +24,8 @@ static double quantile(const size_t bins[BINS], double count) {
   return LEAST_STOP + (i + 0.5) / BINS_A_STOP;
 }
 
-/* For each tone curve: the input value to which the exposure scales the picture's 99th percentile. The curve's output
- * is a little below white there. */
+/* The value to which exposure scales the 99th percentile of the picture's light, for each tone curve. There the curve
+ * is a little below white. */
 static const double bright_end[] = {
     [VS_TONE_NEUTRAL] = 1.1, [VS_TONE_AGX] = 3.8, [VS_TONE_FILMIC] = 4, [VS_TONE_LINEAR] = 0.9 };
 
@@ -60,11 +61,11 @@ double vs_tone_exposure(const vs_light *light, vs_tone_curve curve) {
                                                                         * luminances, from -1 at the dark end to 1 at
                                                                         * the bright end */
   double key = log2(0.18) + 2 * fmax(place, -0.25);
-  /* white: exposure with which the brightest part just becomes white. By Reinhard's key alone, a white building in the
-   * sun would be grey; if nothing is brighter, `white` makes it white. */
+  /* white: exposure, in stops, with which the brightest part of the picture just becomes white. By Reinhard's key
+   * alone, a white building in the sun would be grey. */
   double dark = night_stops(exp2(average)), white = log2(bright_end[curve]) - most, lit = key + dark - average;
-  /* night: weight, from 0 to 1, of the rule for night. At night, the lit parts of the picture stay below white, and
-   * everything else is dark. The rules of day and night are blended over a stop, so that the exposure has no step. */
+  /* night: weight, from 0 to 1, of the rule for night, by which lit parts stay below white and everything else is dark.
+   * The rules for day and night are blended over a range of one stop, so that the exposure has no jump. */
   double night = fmin(1, -dark);
   return (1 - night) * fmax(lit, white) + night * fmin(lit, white);
 }
@@ -98,8 +99,8 @@ static void neutral(const double in[3], double out[3]) {
   }
 }
 
-/* Filmic curve of John Hable, http://filmicworlds.com/blog/filmic-tonemapping-operators/. a to f: shoulder strength,
- * linear strength, linear angle, and three numbers of the toe. White is 11.2, and the curve's input is twice the
+/* Filmic curve of John Hable, http://filmicworlds.com/blog/filmic-tonemapping-operators/. a: shoulder strength; b,
+ * c: strength and angle of the linear part; d, e, f: the toe. The input 11.2 becomes white; the caller doubles the
  * light. */
 static double hable(double x) {
   const double a = 0.15, b = 0.50, c = 0.10, d = 0.20, e = 0.02, f = 0.30;
@@ -117,9 +118,9 @@ static double sigmoid(double x) {
   return 15.5 * x4 * x2 - 40.14 * x4 * x + 31.96 * x4 - 6.868 * x2 * x + 0.4298 * x2 + 0.1191 * x - 0.00232;
 }
 
-/* The tone curve AgX. A matrix mixes the colours, the sigmoid is applied to each, and the inverse matrix separates them
+/* The tone curve AgX: a matrix mixes the colours, the sigmoid is applied to each, and the inverse matrix separates them
  * again. Bright light loses its colour, as on film. The contrast, a power of 1.35, is that of the look 'punchy' in the
- * same source. */
+ * same source as the sigmoid. */
 static void agx(const double in[3], double out[3]) {
   static const double inset[3][3] = {
       { 0.842479062253094, 0.0784335999999992, 0.0792237451477643 },
@@ -144,9 +145,9 @@ static void agx(const double in[3], double out[3]) {
 
 /* ---- conversion of a picture ---- */
 
-/* A table for sRGB bytes by IEC 61966-2-1, which avoids a power function for each pixel. at[i] is the least light for
- * which byte i is the nearest. The range of light from 0 to 1 has COARSE equal parts. The search for the byte in part k
- * begins with first[k]. */
+/* A table that converts light to sRGB bytes (IEC 61966-2-1) without a power function for each pixel. at[i]: the least
+ * light for which byte i is the nearest. first[k]: the byte with which the search begins, for light in part k of COARSE
+ * equal parts of the range 0 to 1. */
 enum { COARSE = 4096 };
 typedef struct { double at[256]; unsigned char first[COARSE + 1]; } screen_steps;
 
@@ -178,12 +179,13 @@ static unsigned bayer(uint32_t column, uint32_t row) {
   return n;
 }
 
-/* Returns the sRGB byte of the linear light x, 0 to 1, rounded up for some pixels. The share of these pixels is the
- * fraction of a step by which x exceeds the lower byte. n: element of the dither matrix for the pixel. */
+/* Returns the sRGB byte of the linear light x, 0 to 1, by ordered dithering: some pixels are rounded up to the next
+ * byte, the others down. The share of the former is the fraction of a step by which x exceeds the lower byte. n:
+ * element of the dither matrix for the pixel. */
 static unsigned char dithered(const screen_steps *s, double x, unsigned n) {
   unsigned b = screen(s, x);
   if (b == 0 || b == 255) return (unsigned char)b;
-  /* above: position of x between the byte b and the next; the table's steps end half a byte above and below b. */
+  /* above: by how many steps x exceeds byte b, -0.5 to 0.5; b is the nearest byte for light from at[b] to at[b + 1]. */
   double above = (x - s->at[b]) / (s->at[b + 1] - s->at[b]) - 0.5, threshold = (n + 0.5) / 64;
   return (unsigned char)(above > 0 ? b + (above > threshold) : b - (-above > threshold));
 }
