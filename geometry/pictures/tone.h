@@ -16,24 +16,26 @@ typedef enum {
 
 typedef struct {
   vs_tone_curve curve;
-  bool fixed;      /* true: `stops` is relative to the light of the picture itself; false: relative to the exposure that
-                    * vs_tone_exposure computes */
+  bool fixed;      /* true: the exposure is `stops`; false: the exposure is `stops` more than vs_tone_exposure computes
+                    * for the picture */
   double stops;
-  bool dither;     /* true if neighbouring pixels are rounded differently to bytes, so that a gradient shows no bands */
-  uint32_t left, top; /* column and row of the first pixel within a larger picture, so that the dithering of its parts
-                       * fits together */
+  bool dither;     /* true if neighbouring pixels with equal light may be rounded to different bytes, so that a gradient
+                    * shows no bands */
+  uint32_t left, top; /* column and row of the picture's first pixel within a larger picture, so that the dithering of
+                       * its parts fits together */
 } vs_tone;
 
-/* A picture in linear light: three planes of linear sRGB numbers, in rows. */
+/* A picture in linear light: for each pixel a red, green and blue number of linear sRGB, row by row from the top. */
 typedef struct { const float *red, *green, *blue; uint32_t columns, rows; } vs_light;
 static inline size_t vs_light_pixels(const vs_light *light) { return (size_t)light->columns * light->rows; }
 
-/* Returns the exposure of the picture in stops, from the histogram of its luminance. It is the larger of two numbers.
- * The first makes the bright end of the picture just less than white by the tone curve. The second is that of Erik
- * Reinhard, Parameter Estimation for Photographic Tone Reproduction, Journal of Graphics Tools 7(1), 2002. Returns 0
- * for a black picture. */
+/* Returns the exposure of the picture in stops, from the histogram of its luminance; 0 for a black picture. By day it
+ * is the larger of two numbers, at night the smaller. The first makes the picture's bright end just less than white by
+ * the tone curve. The second is that of Erik Reinhard, Parameter Estimation for Photographic Tone Reproduction, Journal
+ * of Graphics Tools 7(1), 2002, darkened for a dark scene. */
 double vs_tone_exposure(const vs_light *light, vs_tone_curve curve);
-/* Converts the picture to sRGB; rgb receives three bytes for each pixel. Returns the exposure in stops. */
+/* Converts the picture to sRGB; rgb receives three bytes for each pixel. Returns the exposure that was applied, in
+ * stops. */
 double vs_tone_apply(const vs_light *light, const vs_tone *tone, unsigned char *rgb);
 
 #endif

@@ -25,13 +25,15 @@ bool vs_area_point(vs_area *a, double x, double y) {
   return true;
 }
 
-static size_t area_ended(const vs_area *a) { /* returns the number of points in the completed loops of area a */
+static size_t area_ended(const vs_area *a) { /* returns the number of points in the loops of area a that are completed;
+                                              * further points belong to the next loop */
   size_t n = 0;
   for (size_t l = 0; l < a->loop_count; l++) n += a->size[l];
   return n;
 }
 
-/* Completes the loop whose points begin at index `first` of a. first is at most a->count. */
+/* Completes a loop of a: its points are those from index `first` to the last. first is at most a->count. hole: whether
+ * the loop is a hole. */
 static bool area_close(vs_area *a, size_t first, bool hole) {
   size_t n = a->count - first;
   VS_ASSERT(first <= a->count);
@@ -103,7 +105,7 @@ static void geos_close(vs_geos *g) {
   if (g->h) g->GEOS_finish_r(g->h);
 }
 
-/* Returns true if the last failure of GEOS was for lack of memory, or GEOS gave no reason. */
+/* Returns true if GEOS has failed because memory was out, or gave no reason for its last failure. */
 static bool geos_starved(const vs_geos *g) { return !*g->said || strstr(g->said, "bad_alloc"); }
 
 static bool geos_failed(const vs_geos *g, const char *purpose, vs_error *e) {
@@ -111,7 +113,8 @@ static bool geos_failed(const vs_geos *g, const char *purpose, vs_error *e) {
   return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s: the outlines cannot be combined: %s", purpose, g->said);
 }
 
-/* returns a GEOS sequence of n points; if `closes`, the first point is repeated at the end; NULL: failed */
+/* makes a GEOS sequence of n points; if `closes` is true, repeats the first point at the end; returns NULL on
+ * failure */
 static GEOSCoordSequence *geos_sequence(vs_geos *g, const vs_vec2 *at, size_t n, bool closes) {
   size_t all = n + closes;
   GEOSCoordSequence *s = all <= INT32_MAX ? g->GEOSCoordSeq_create_r(g->h, (unsigned)all, 2) : NULL;
@@ -126,13 +129,14 @@ static void geos_drop(vs_geos *g, GEOSGeometry **all, size_t count) {
   for (size_t i = 0; all && i < count; i++) g->GEOSGeom_destroy_r(g->h, all[i]);
 }
 
-/* Returns a GEOS collection of `count` parts. GEOS then owns the parts, even if the call fails. */
+/* Returns a GEOS collection of the given parts, or NULL on failure. In either case, the parts no longer belong to the
+ * caller. */
 static GEOSGeometry *geos_collect(vs_geos *g, int type, GEOSGeometry **parts, size_t count) {
   if (count > INT32_MAX) return geos_drop(g, parts, count), NULL;
   return g->GEOSGeom_createCollection_r(g->h, type, parts, (unsigned)count);
 }
 
-/* Returns the areas as a multipolygon of GEOS, or NULL on failure. */
+/* Returns `count` areas as a multipolygon of GEOS, or NULL on failure. */
 static GEOSGeometry *geos_polygons(vs_geos *g, const vs_area *areas, size_t count) {
   size_t loops = 0, done = 0, holes = 0;
   for (size_t i = 0; i < count; i++) loops += areas[i].loop_count;
@@ -151,9 +155,10 @@ static GEOSGeometry *geos_polygons(vs_geos *g, const vs_area *areas, size_t coun
       if (!ok || l + 1 == a->loop_count || !a->hole[l + 1]) { /* if the current loop is the last of its polygon, makes
                                                                * the polygon */
         if (ok) {
-          polygons[done] = g->GEOSGeom_createPolygon_r(g->h, shell, inner, (unsigned)holes); /* after this call, GEOS
-                                                                                              * owns the rings and frees
-                                                                                              * them, even on failure */
+          polygons[done] = g->GEOSGeom_createPolygon_r(g->h, shell, inner, (unsigned)holes); /* after this call, the
+                                                                                              * rings belong to GEOS,
+                                                                                              * which frees them even on
+                                                                                              * failure */
           ok = polygons[done] != NULL;
           done += ok;
         } else {
@@ -174,14 +179,16 @@ static GEOSGeometry *geos_polygons(vs_geos *g, const vs_area *areas, size_t coun
 
 /* ---- results of GEOS ---- */
 
-/* Removes corners on the line between their neighbours from the last loop of area a, which begins at point `first`. */
+/* Removes corners that lie on the line between their two neighbours, from the last loop of area a; this loop begins at
+ * point `first`. */
 static void area_tidy(vs_area *a, size_t first) {
   double size = 0;
   size_t n = a->count - first, kept = 0;
   vs_vec2 *p = a->at + first;
   VS_ASSERT(first <= a->count);
   for (size_t i = 0; i < n; i++) size = fmax(size, fmax(fabs(p[i].x), fabs(p[i].y)));
-  for (size_t i = 0; i < n; i++) { /* tests each corner against the last corner that was kept and the next corner */
+  for (size_t i = 0; i < n; i++) { /* tests each corner against the corner that was kept before it and the corner after
+                                    * it */
     vs_vec2 b = p[i], c = p[(i + 1) % n], o = kept ? p[kept - 1] : p[n - 1];
     double ux = b.x - o.x, uy = b.y - o.y, vx = c.x - b.x, vy = c.y - b.y, wx = c.x - o.x, wy = c.y - o.y;
     double u = hypot(ux, uy), v = hypot(vx, vy), w = hypot(wx, wy), slack = 1e-12 * size;
@@ -234,8 +241,8 @@ static bool geos_polygon(vs_geos *g, const GEOSGeometry *polygon, vs_area *out) 
   return holes >= 0;
 }
 
-/* Appends the polygons of a result to out. The result may also contain lines and points, where areas only touch. Every
- * call of GEOS is checked, because an allocation inside GEOS may have failed. Returns false on failure. */
+/* Appends the polygons of a GEOS result to out, and ignores its lines and points, which occur where areas only touch.
+ * Checks every call of GEOS, because an allocation inside GEOS may have failed. Returns false on failure. */
 static bool geos_result(vs_geos *g, const GEOSGeometry *from, vs_area *out) {
   int type = from ? g->GEOSGeomTypeId_r(g->h, from) : -1;
   if (type < 0) return false;
@@ -259,8 +266,8 @@ static bool geos_result(vs_geos *g, const GEOSGeometry *from, vs_area *out) {
   return n >= 0;
 }
 
-/* Returns a collection of the parts of a, each of which is made valid separately. If all parts were made valid
- * together, areas that are covered twice would be lost. Returns NULL on failure. */
+/* Returns a valid copy of the collection a, or NULL on failure. Makes each part valid separately: together, areas that
+ * are covered twice would be lost. */
 static GEOSGeometry *geos_mend(vs_geos *g, const GEOSGeometry *a) {
   int n = g->GEOSGetNumGeometries_r(g->h, a);
   GEOSGeometry **parts = n < 0 ? NULL : vs_zeros((size_t)n + 1, sizeof *parts), *all = NULL;
@@ -277,11 +284,12 @@ static GEOSGeometry *geos_mend(vs_geos *g, const GEOSGeometry *a) {
   return all;
 }
 
-/* Returns false if a part of the collection a has no point in the union: GEOS sometimes loses a part that has corners
- * very near to other parts' edges, without an error. */
+/* Tests whether a union has lost a part: GEOS sometimes loses one that has corners very near to other parts' edges.
+ * Returns false if some part of the collection a has no point in `united`. */
 static bool geos_holds_all(vs_geos *g, const GEOSGeometry *a, const GEOSGeometry *united) {
   int n = g->GEOSGetNumGeometries_r(g->h, a);
-  const GEOSGeometry *one = n > 1 ? g->GEOSGetGeometryN_r(g->h, a, 0) : NULL; /* lines cannot be lost */
+  const GEOSGeometry *one = n > 1 ? g->GEOSGetGeometryN_r(g->h, a, 0) : NULL; /* only polygons are tested, because GEOS
+                                                                               * does not lose lines */
   bool filled = one && g->GEOSGeomTypeId_r(g->h, one) == GEOS_POLYGON;
   const GEOSPreparedGeometry *fast = filled ? g->GEOSPrepare_r(g->h, united) : NULL;
   bool all = true;
@@ -295,8 +303,8 @@ static bool geos_holds_all(vs_geos *g, const GEOSGeometry *a, const GEOSGeometry
   return all;
 }
 
-/* Returns the union of a on a grid, a few times as coarse as the last digit of the largest number. There GEOS loses
- * nothing. Returns `united` unless the new union is larger; the other one is freed. */
+/* Computes the union of the parts of a again, on a grid that is a few times as coarse as the last digit of the largest
+ * number; GEOS then loses no part. Returns the larger of this union and `united`, and frees the smaller. */
 static GEOSGeometry *geos_unite_on_grid(vs_geos *g, const GEOSGeometry *a, GEOSGeometry *united) {
   int exponent;
   double was = 0, is = 0, low[2], high[2];
@@ -309,8 +317,8 @@ static GEOSGeometry *geos_unite_on_grid(vs_geos *g, const GEOSGeometry *a, GEOSG
   return better ? again : united;
 }
 
-/* Returns the union of a with itself. If GEOS rejects a as invalid, makes it valid and tries again. Frees a. Returns
- * NULL on failure; when memory is out, it does not try again. */
+/* Returns the union of the parts of a, and frees a. If GEOS rejects a as invalid, makes it valid and tries again,
+ * unless memory is out. Returns NULL on failure. */
 static GEOSGeometry *geos_unite(vs_geos *g, GEOSGeometry *a) {
   *g->said = 0;
   GEOSGeometry *united = g->GEOSUnaryUnion_r(g->h, a);
@@ -450,8 +458,8 @@ bool vs_area_of_chain(const vs_vec2 (*edges)[2], size_t count, const char *purpo
     ok = inside && g.GEOSGeomGetX_r(g.h, inside, &x) == 1 && g.GEOSGeomGetY_r(g.h, inside, &y) == 1;
     g.GEOSGeom_destroy_r(g.h, inside);
     if (!ok || chain_winding(edges, count, x, y) == 0) continue;
-    kept[keep] = g.GEOSUnaryUnion_r(g.h, face); /* the union of a face with itself is a copy of it that this function
-                                                 * owns */
+    kept[keep] = g.GEOSUnaryUnion_r(g.h, face); /* this union of a single face is a copy of it, which belongs to this
+                                                 * function */
     ok = kept[keep] != NULL;
     keep += ok;
   }
@@ -523,8 +531,8 @@ static int compare_numbered(const void *p, const void *q) {
   return a->number < b->number ? -1 : a->number > b->number;
 }
 
-/* Sets *out to the number of the first point with the coordinates (x, y), which GEOS keeps unchanged. Returns false if
- * there is none. */
+/* Sets *out to the index of the first point with the coordinates (x, y), which GEOS returns unchanged. Returns false if
+ * there is no such point. */
 static bool number_at(const numbered *all, size_t n, double x, double y, uint32_t *out) {
   size_t low = 0, high = n;
   while (low < high) {
@@ -539,8 +547,8 @@ static bool number_at(const numbered *all, size_t n, double x, double y, uint32_
   return true;
 }
 
-/* Stores a triangle of GEOS's triangulation as indices of points, counter-clockwise. Returns false if `part` is no
- * triangle of the points. */
+/* Stores a triangle of GEOS's triangulation in `out` as three indices of points, counter-clockwise. Returns false if
+ * `part` is not a triangle of the points. */
 static bool delaunay_triangle(vs_geos *g, const GEOSGeometry *part, const numbered *all, size_t n, const vs_vec2 *at,
                               uint32_t out[3]) {
   const GEOSGeometry *ring = part ? g->GEOSGetExteriorRing_r(g->h, part) : NULL;

@@ -1,4 +1,4 @@
-/* Inserts given edges (breaklines) into a triangulation, by flips of the edges that they cross. */
+/* Inserts given edges (breaklines) into a triangulation: flips the sides of triangles that a given edge crosses. */
 #include "geometry/plane/breaklines.h"
 
 #include <math.h>
@@ -21,7 +21,7 @@ typedef struct {
   triple *corner;   /* corner[t]: numbers of the three points of triangle t, counter-clockwise */
   triple *next;     /* next[t][k]: the neighbour of triangle t at the side opposite corner k, or NONE at the border */
   bool (*fixed)[3]; /* fixed[t][k]: true if the side of triangle t opposite corner k is one of the given edges */
-  uint32_t *of;     /* of[v]: a triangle that has point v as a corner, or NONE if there is none */
+  uint32_t *of;     /* of[v]: number of a triangle that has point v as a corner, or NONE */
   size_t count;
   double slack;     /* three points count as collinear if twice the area of their triangle is at most this value */
   queue crossed, made, todo;
@@ -48,8 +48,8 @@ static int corner_at(const flipper *f, uint32_t t, uint32_t v) {
   return k;
 }
 
-/* Returns the next triangle after t around point v, or NONE after the last. *turned: true if the walk has reached the
- * triangulation's border and continues clockwise from the first triangle. */
+/* Returns the next triangle after t around point v, or NONE after the last one. *turned: true if the walk has reached
+ * the triangulation's border and now goes clockwise, from its first triangle on. */
 static uint32_t around(const flipper *f, uint32_t v, uint32_t t, bool *turned) {
   if (!*turned) {
     uint32_t n = f->next[t][(corner_at(f, t, v) + 1) % 3];
@@ -60,7 +60,8 @@ static uint32_t around(const flipper *f, uint32_t v, uint32_t t, bool *turned) {
   return f->next[t][(corner_at(f, t, v) + 2) % 3];
 }
 
-/* Finds a triangle that has a side between the points a and b: *t is the triangle, *k its corner opposite that side. */
+/* Finds a triangle that has a side between the points a and b. *t: number of the triangle; *k: its corner opposite this
+ * side. Returns false if there is none. */
 static bool find(const flipper *f, uint32_t a, uint32_t b, uint32_t *t, int *k) {
   bool turned = false;
   for (*t = f->of[a]; *t != NONE; *t = around(f, a, *t, &turned)) {
@@ -71,8 +72,9 @@ static bool find(const flipper *f, uint32_t a, uint32_t b, uint32_t *t, int *k) 
   return false;
 }
 
-static int back_of(const flipper *f, uint32_t t, uint32_t from) { /* returns the index of the side of triangle t whose
-                                                                   * neighbour is the triangle `from` */
+static int back_of(const flipper *f, uint32_t t, uint32_t from) { /* returns the index of the corner of triangle t
+                                                                   * that is opposite its side towards the neighbour
+                                                                   * `from` */
   int k = 0;
   while (k < 2 && f->next[t][k] != from) k++;
   return k;
@@ -117,7 +119,8 @@ static bool is_convex(const flipper *f, uint32_t t, int k) {
   return y != NONE && side(f, x, y, u) * side(f, x, y, v) < 0;
 }
 
-/* Returns true if the third corner of the neighbour opposite corner k lies within the circumcircle of triangle t. */
+/* Returns true if the neighbour of triangle t opposite corner k has its third corner within t's circumcircle, so that
+ * the side violates Delaunay's condition. */
 static bool is_within(const flipper *f, uint32_t t, int k) {
   uint32_t y = beyond(f, t, k);
   if (y == NONE) return false;
@@ -139,7 +142,7 @@ static vs_vec2 crossing(const flipper *f, uint32_t a, uint32_t b, uint32_t p, ui
 }
 
 /* Collects the sides of triangles that the segment from a to b crosses. *end: the first point after a that lies on the
- * segment, at the latest b. *where: the place of a crossing with a given edge. */
+ * segment; at the latest, b. *where: if the segment crosses a given edge, the position of the crossing. */
 static vs_breaklines_outcome collect(flipper *f, uint32_t a, uint32_t b, uint32_t *end, vs_vec2 *where) {
   bool turned = false;
   uint32_t t, p = NONE, q = NONE;
@@ -193,8 +196,8 @@ static bool flip_crossed(flipper *f, uint32_t a, uint32_t b) {
   return f->crossed.first == f->crossed.count;
 }
 
-/* Flips the new sides that are not given edges until all satisfy Delaunay's condition. The number of passes is limited,
- * because rounding errors may prevent an end. */
+/* Flips new sides of triangles, except given edges, until all satisfy Delaunay's condition. The number of passes is
+ * limited, because rounding errors might continue them forever. */
 static bool restore(flipper *f) {
   bool changed = true;
   for (int pass = 0; changed && pass < 100; pass++) {
@@ -283,7 +286,8 @@ static uint32_t find_border(const flipper *f, size_t points, uint32_t *after) {
   return lowest;
 }
 
-/* Adds triangles to t at concave corners of its border. Records their sides, which may violate Delaunay's condition. */
+/* Adds triangles at concave corners of t's border. Records the sides of these triangles, which may violate Delaunay's
+ * condition. */
 static bool complete(flipper *f, vs_breakline_mesh *t) {
   uint32_t *after = vs_fresh(t->count + 1, sizeof *after), *line = vs_fresh(t->count + 2, sizeof *line);
   bool ok = after && line;

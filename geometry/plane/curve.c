@@ -12,8 +12,8 @@
 
 enum { HALVINGS = 40 };
 static const double full_turn = 6.28318530717958647693, STANDS = 1e-9, TURNS_BACK = -.75;
-static const double SIXTEENTH = .92387953251128675613; /* cosine of a sixteenth of a turn, by which a spline may turn
-                                                        * between samples */
+static const double SIXTEENTH = .92387953251128675613; /* Cosine of a sixteenth of a turn, the largest angle by which a
+                                                        * spline may turn from one sample to the next. */
 
 void vs_path_free(vs_path *p) {
   free(p->at);
@@ -94,7 +94,7 @@ static bool curve_arc(vs_path *out, vs_vec3 c, double r, double start, double en
   return ok;
 }
 
-/* ---- splines ---- */
+/* ---- splines through knots (given points) ---- */
 
 typedef struct { size_t n; /* n: number of knots */ bool closed; vs_vec3 *p, *m; double *h, *scratch; } vs_spline_work;
 
@@ -139,8 +139,8 @@ static void spline_solve(vs_spline_work *w, vs_vec3 start, vs_vec3 end) {
     spline_tridiagonal(n, sub, diag, sup, w->m, rest);
     return;
   }
-  /* Both corners of the cyclic matrix A are h[n-1]. It is split into A = B + u v^T with u = (g, 0.., c), v = (1, 0..,
-   * c/g), where B is tridiagonal. */
+  /* Both corners of the cyclic matrix A are h[n - 1]. To solve with it, A is split into B + u v^T, where B is
+   * tridiagonal, u = (g, 0.., c) and v = (1, 0.., c/g). */
   double c = w->h[n - 1], g = -diag[0];
   diag[0] -= g;
   diag[n - 1] -= c * c / g;
@@ -153,8 +153,8 @@ static void spline_solve(vs_spline_work *w, vs_vec3 start, vs_vec3 end) {
   for (size_t i = 0; i < n; i++) w->m[i] = vs_v3_sub(w->m[i], vs_v3_scale(factor, u[i].x));
 }
 
-/* Returns the point of span i at parameter t, 0 to 1, and the directions of the spline before and after it. They are
- * opposite at a cusp, where the speed is 0 and the curve turns back. */
+/* Returns the point of span i at the parameter t, 0 to 1, and the spline's directions before and after it. The
+ * directions are opposite at a cusp, where the speed is 0 and the curve turns back. */
 static vs_path_point spline_at(const vs_spline_work *w, size_t i, double t) {
   size_t j = i + 1 < w->n ? i + 1 : 0;
   double h = w->h[i], b = t, a = 1 - t;
@@ -174,11 +174,13 @@ static vs_path_point spline_at(const vs_spline_work *w, size_t i, double t) {
   return (vs_path_point){ at, behind, ahead, 0 };
 }
 
-/* Adds samples between the parameters `from` and `to` of span i, from < to, until the direction turns by at most an
- * angle between samples. It halves the range repeatedly, down to a cusp. most: cosine of the angle. */
+/* Adds samples between the parameters `from` and `to` of span i, from < to, so that the direction turns by at most a
+ * certain angle from one sample to the next. Halves the range repeatedly, down to a cusp. most: cosine of that
+ * angle. */
 static bool spline_turn(const vs_spline_work *w, size_t i, double from, double to, double most, vs_path *out) {
-  struct { double to; int halvings; } parts[HALVINGS + 1] = { { to, 0 } }; /* stack of the parameter ranges that are
-                                                                            * still to be sampled, the first on top */
+  struct { double to; int halvings; } parts[HALVINGS + 1] = { { to, 0 } }; /* stack of the ranges of the parameter that
+                                                                            * are still to be sampled, the earliest on
+                                                                            * top; a range ends at `to` */
   vs_path_point p = spline_at(w, i, from);
   bool ok = true;
   VS_ASSERT(from < to);

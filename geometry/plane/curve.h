@@ -1,4 +1,4 @@
-/* Declares, for use in geometry/ alone, curves as paths: sampled points with the directions in which the curve arrives
+/* Declares paths, for use in geometry/ alone: curves as sampled points, with the directions in which the curve arrives
  * and leaves. */
 #ifndef VS_GEOMETRY_PLANE_CURVE_H
 #define VS_GEOMETRY_PLANE_CURVE_H
@@ -16,7 +16,7 @@ typedef struct {
 } vs_path;
 
 void vs_path_free(vs_path *p);
-bool vs_path_add(vs_path *p, vs_vec3 at, vs_vec3 arriving, vs_vec3 leaving); /* adds a sample at `at` with the
+bool vs_path_add(vs_path *p, vs_vec3 at, vs_vec3 arriving, vs_vec3 leaving); /* adds a sample: the point `at` and the
                                                                               * directions before and after it; returns
                                                                               * false when memory is out */
 void vs_path_measure(vs_path *p); /* sets the member `along` of each sample, and the path's length */
@@ -27,8 +27,8 @@ bool vs_curve_leaf(const vs_node *curve, const vs_affine *map, const vs_fineness
 bool vs_curve_round(const struct vs_arc *a, bool circle, const vs_affine *map, const vs_fineness *f, vs_path *out);
 bool vs_path_of_polyline(const vs_polyline *p, vs_path *out); /* makes a path of a polyline; out must be empty; returns
                                                                * false when memory is out */
-/* Samples a curve of any kind, mapped by `placed`. Follows placements, materials and layers, and accepts regions of one
- * loop (planar_evaluation.c). Returns false and sets e on failure. */
+/* Samples a curve of any kind, mapped by `placed`, through placements, materials and layers. Also samples the border of
+ * a region of one loop (planar_evaluation.c). Returns false and sets e on failure. */
 bool vs_curve_path(const vs_node *curve, const vs_affine *placed, const vs_fineness *f, vs_path *out, vs_error *e);
 bool vs_curve_is_straight(const vs_node *curve); /* returns true if the curve is a polyline, possibly placed */
 bool vs_polyline_from_path(const vs_path *path, vs_polyline *out);

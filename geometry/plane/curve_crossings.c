@@ -15,8 +15,8 @@
 #include "geometry/plane/planar_evaluation.h"
 #include "model/store/array.h"
 
-/* An edge of a sampled curve. low, high: its range of x; place: index of the edge in its loop; last: greatest index of
- * an edge in this loop; slack: distance that counts as 0 */
+/* An edge of a sampled curve, from a to b. curve: number of the curve; place: index of the edge in its loop; last:
+ * greatest such index in this loop; low, high: range of x; slack: distance that counts as 0. */
 typedef struct { vs_vec2 a, b; size_t curve, place, last; double low, high, slack; } vs_cross_edge;
 
 
@@ -30,7 +30,7 @@ typedef struct {
   vs_affine frame;    /* coordinates of the plane in which the curves lie */
   vs_cross_edge *edges;
   size_t edge_count;
-  size_t *starts, *after; /* after[starts[c] + place]: index of the edge that follows edge number `place` of curve c */
+  size_t *starts, *after; /* index of the edge that follows edge number `place` of curve c: after[starts[c] + place] */
   struct { size_t a, b; } touches[TOUCHES_MOST]; /* pairs of curves that touch each other, by their numbers, a <= b */
   size_t touch_count;
 } vs_cross_search;
@@ -42,13 +42,13 @@ static int cross_compare(const void *p, const void *q) {
 }
 
 static double cross_side(const vs_cross_edge *e, vs_vec2 p) { /* returns the distance of p from the line through edge e,
-                                                               * positive on the left */
+                                                               * positive if p is to the left */
   double dx = e->b.x - e->a.x, dy = e->b.y - e->a.y;
   return (dx * (p.y - e->a.y) - dy * (p.x - e->a.x)) / hypot(dx, dy);
 }
 
-/* Returns true if the ends of each of the edges p and q lie clearly on opposite sides of the other. *at: the crossing.
- * *touch: true if an end of one lies on the line of the other. */
+/* Returns true if edges p and q clearly cross: the ends of each lie on opposite sides of the other. *at: position of
+ * the crossing. *touch: true if an end of one edge lies on the line of the other. */
 static bool cross_edges(const vs_cross_edge *p, const vs_cross_edge *q, vs_vec2 *at, bool *touch) {
   double slack = fmax(p->slack, q->slack), a = cross_side(p, q->a), b = cross_side(p, q->b), c = cross_side(q, p->a),
          d = cross_side(q, p->b);
@@ -63,8 +63,8 @@ static bool cross_edges(const vs_cross_edge *p, const vs_cross_edge *q, vs_vec2 
   return false;
 }
 
-/* Returns true if the direction q lies in the sector from direction p counter-clockwise to r. *sure: true if q is not
- * close to the sector's border. */
+/* Returns true if the direction q lies in the sector from direction p to direction r, counter-clockwise. *sure: true if
+ * q is not close to a border of the sector. */
 static bool cross_between(vs_vec2 p, vs_vec2 r, vs_vec2 q, bool *sure) {
   const double turn = 6.28318530717958647693, near = 0.05;
   double from = atan2(p.y, p.x), to = atan2(r.y, r.x) - from, at = atan2(q.y, q.x) - from;
@@ -74,13 +74,13 @@ static bool cross_between(vs_vec2 p, vs_vec2 r, vs_vec2 q, bool *sure) {
   return at < to;
 }
 
-/* Tests the end of edge p, which may lie on edge q. Returns true if the curve of p changes to the other side of q's
- * curve there. next_p, next_q: the edges after p and q. */
+/* Returns true if the end of edge p lies on edge q and the curve of p passes through the curve of q there, to its other
+ * side. next_p, next_q: the edges after p and q. */
 static bool cross_at_end(const vs_cross_edge *p, const vs_cross_edge *next_p, const vs_cross_edge *q,
                          const vs_cross_edge *next_q) {
   double slack = fmax(p->slack, q->slack), dx = q->b.x - q->a.x, dy = q->b.y - q->a.y, length = hypot(dx, dy);
   double along = ((p->b.x - q->a.x) * dx + (p->b.y - q->a.y) * dy) / length;
-  /* The start of q is not tested here, but as the end of the edge before q. */
+  /* Omits an end of p at the start of q: it is tested as lying at the end of the edge before q. */
   if (fabs(cross_side(q, p->b)) > slack || along <= slack || along > length + slack) return false;
   vs_vec2 v = p->b, in = { p->a.x - v.x, p->a.y - v.y }, out = { next_p->b.x - v.x, next_p->b.y - v.y };
   vs_vec2 end = along >= length - slack ? next_q->b : q->b, come = { q->a.x - v.x, q->a.y - v.y },
@@ -89,8 +89,8 @@ static bool cross_at_end(const vs_cross_edge *p, const vs_cross_edge *next_p, co
   return sure && one != other;
 }
 
-/* Returns true if curve a or b, which touch, passes through the other: it has points clearly inside and points clearly
- * outside of it. If neither has such points, the curves coincide. */
+/* a and b touch. Returns true if one of these curves passes through the other: it has points clearly inside and points
+ * clearly outside of it. Curves without such points coincide. */
 static bool cross_through(const vs_cross_search *s, size_t a, size_t b, vs_vec2 *at) {
   const vs_cross_edge *edges = s->edges;
   size_t count = s->edge_count;
@@ -141,7 +141,8 @@ static bool cross_sample(vs_cross_search *s, const vs_ref *refs, vs_error *e) {
   return true;
 }
 
-/* Appends the edges of curve i in the coordinates of the plane. back: map from space to the plane. */
+/* Appends the edges of curve i, in the coordinates of the plane. straight: whether the curve is a polyline; back: map
+ * from space to the plane. */
 static void cross_add(vs_cross_search *s, size_t i, bool straight, const vs_affine *back) {
   const vs_polyline *l = &s->loops[i];
   vs_bounds b = vs_bounds_empty();
@@ -156,8 +157,8 @@ static void cross_add(vs_cross_search *s, size_t i, bool straight, const vs_affi
   }
 }
 
-/* Makes the sorted edges, and the links from each edge to the next edge of its curve. If the first curve lies in no
- * plane, there are no edges: the caller has tested this before. Returns false on failure. */
+/* Makes the edges, sorted by x, and the links from each edge to the next edge of its curve. Makes no edges if the first
+ * curve lies in no plane, which the caller reports. Returns false on failure. */
 static bool cross_make_edges(vs_cross_search *s, const vs_ref *refs, vs_error *e) {
   vs_affine back;
   if (!VS_FRESH(s->edges, s->total + 1) || !VS_FRESH(s->after, s->total + 1) || !VS_FRESH(s->starts, s->count + 1))
@@ -178,7 +179,7 @@ static const vs_cross_edge *cross_next(const vs_cross_search *s, const vs_cross_
   return &s->edges[s->after[s->starts[p->curve] + p->place]];
 }
 
-/* Stores the pair of curves a and b, which touch. */
+/* Stores the pair of curves a and b, which touch, for cross_touching. */
 static void cross_note(vs_cross_search *s, size_t a, size_t b) {
   for (size_t i = 0; i < s->touch_count; i++)
     if (s->touches[i].a == a && s->touches[i].b == b) return;
@@ -192,7 +193,7 @@ static bool cross_found(const vs_cross_search *s, size_t a, size_t b, vs_vec2 at
   return true;
 }
 
-/* Returns true if two edges that overlap along x cross, or if their curves cross at an end of one of the edges. */
+/* Returns true if edges p and q, whose ranges of x overlap, cross, or if their curves cross at an end of p or q. */
 static bool cross_pair(vs_cross_search *s, const vs_cross_edge *p, const vs_cross_edge *q, vs_crossing *out) {
   if (q->high < p->low || fmax(q->a.y, q->b.y) < fmin(p->a.y, p->b.y) ||
       fmin(q->a.y, q->b.y) > fmax(p->a.y, p->b.y) || cross_neighbours(p, q))
@@ -208,7 +209,7 @@ static bool cross_pair(vs_cross_search *s, const vs_cross_edge *p, const vs_cros
   return false;
 }
 
-/* Compares all pairs of edges that overlap along x. Returns true if curves cross, and sets *out to the first
+/* Compares all pairs of edges whose ranges of x overlap. Returns true if two curves cross, and sets *out to the first
  * crossing. */
 static bool cross_sweep(vs_cross_search *s, vs_crossing *out) {
   double widest = 0;
@@ -219,7 +220,8 @@ static bool cross_sweep(vs_cross_search *s, vs_crossing *out) {
   return false;
 }
 
-/* Compares the pairs of curves that touch. Returns true if a curve passes through another, and sets *out. */
+/* Compares the pairs of curves that touch. Returns true if one of them passes through the other, and sets *out to the
+ * crossing. */
 static bool cross_touching(const vs_cross_search *s, vs_crossing *out) {
   for (size_t i = 0; i < s->touch_count; i++) {
     vs_vec2 at = { 0, 0 };

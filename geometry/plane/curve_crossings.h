@@ -4,7 +4,11 @@
 
 #include "model/node.h"
 
-typedef struct { size_t a, b; /* crossing curves; a == b: itself */ vs_vec3 at; bool found; } vs_crossing;
+typedef struct {
+  size_t a, b; /* indices of the two curves that cross; equal if a curve crosses itself */
+  vs_vec3 at;
+  bool found;
+} vs_crossing;
 /* Finds a crossing of closed curves in one plane with each other or with themselves. Curves may touch: a crossing no
  * deeper than the accuracy of the samples is ignored. out->found: true if there is a crossing. Returns false and sets e
  * on failure. */

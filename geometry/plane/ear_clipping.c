@@ -28,30 +28,32 @@ static const size_t none = SIZE_MAX;
 
 typedef struct { uint32_t point, next, prev; } vs_corner;
 typedef struct {
-  size_t place;             /* index of this corner along the polygon's ring of corners, before any is cut off */
-  size_t awaited;           /* a reflex corner within this corner's triangle, which must be cut off or become convex
-                             * before this corner can be; or none */
-  size_t waiting;           /* first of the corners whose `awaited` is this corner; they are linked by `later` and
-                             * `earlier` */
+  size_t place;             /* index of this corner in the ring of the polygon's corners, before any corner is cut
+                             * off */
+  size_t awaited;           /* a reflex corner that lies within this corner's triangle, so that this corner is no ear
+                             * until the other is cut off or becomes convex; `none` if there is no such corner */
+  size_t waiting;           /* first corner in the list of corners that await this one (member `awaited`); `later` and
+                             * `earlier` link the list */
   size_t later, earlier;
-  bool gone, idle;          /* gone: true if the corner is cut off; idle: true if it is in the list `idle` of the
-                             * ring */
+  bool gone, idle;          /* gone: true if this corner has been cut off; idle: true if it is in the ring's list
+                             * `idle` */
 } vs_ear;
 typedef struct {
   const vs_vec2 *at;
   vs_corner *corners;
   vs_ear *ears; /* ears[c]: data of corner c beyond its position and neighbours */
   size_t count;
-  size_t *by_place;  /* by_place[i]: corner at index i of the polygon's ring of corners, before any is cut off */
+  size_t *by_place;  /* by_place[i]: corner at index i of the ring of the polygon's corners, before any corner is cut
+                      * off */
   size_t *points;    /* points[c]: number of the point at which corner c lies */
-  vs_point_tree tree; /* tree of the corners' points; only reflex corners of the remaining polygon are switched on, so
-                       * that searches find only these */
-  vs_marks open;     /* positions along the ring of those corners that must still be tested for being ears (corners that
-                      * can be cut off) */
-  size_t *idle;      /* corners at ends of bridges of length 0, which are cut off before others */
+  vs_point_tree tree; /* tree of the corners' points; only reflex corners that are not cut off are switched on, so that
+                       * searches find only these */
+  vs_marks open;     /* set of positions along the ring: the corners there may be ears (corners that can be cut off),
+                      * and must still be tested */
+  size_t *idle;      /* corners at the ends of bridges of length 0, which are cut off before all others */
   size_t idle_count;
   double flat; /* a triangle counts as empty if twice its area is below this value */
-  double blur; /* distance below which a line counts as passing through a corner */
+  double blur; /* distance from a corner below which a line counts as passing through it */
 } vs_ring;
 
 static vs_vec2 ring_at(const vs_ring *r, size_t c) { return r->at[r->corners[c].point]; }
@@ -81,7 +83,8 @@ static void ring_wait_no_more(vs_ring *r, size_t c) {
   k->awaited = none;
 }
 
-static void ring_release(vs_ring *r, size_t c) { /* makes all corners whose `awaited` is c candidates for ears again */
+static void ring_release(vs_ring *r, size_t c) { /* makes all corners that await corner c (member `awaited`) candidates
+                                                  * for ears again */
   for (size_t w = r->ears[c].waiting; w != none; w = r->ears[c].waiting) {
     ring_wait_no_more(r, w);
     vs_marks_set(&r->open, r->ears[w].place, true);
@@ -92,7 +95,7 @@ static void ring_release(vs_ring *r, size_t c) { /* makes all corners whose `awa
 
 static bool same_place(vs_vec2 p, vs_vec2 q) { return p.x == q.x && p.y == q.y; }
 
-/* Returns true if corner c is at an end of a bridge of length 0 (between two corners at one point). */
+/* Returns true if corner c is an end of a bridge of length 0, which joins two corners at one point. */
 static bool ring_is_idle(const vs_ring *r, size_t c) {
   vs_vec2 p = ring_at(r, c);
   return same_place(p, ring_at(r, r->corners[c].prev)) || same_place(p, ring_at(r, r->corners[c].next));
@@ -104,7 +107,7 @@ static void ring_note_idle(vs_ring *r, size_t c) {
   r->idle[r->idle_count++] = c;
 }
 
-/* Returns a corner of the list `idle` that is not cut off yet, or none. */
+/* Returns a corner of the list `idle` that is not cut off yet, or `none`. */
 static size_t ring_next_idle(vs_ring *r) {
   while (r->idle_count > 0) {
     size_t c = r->idle[--r->idle_count];
@@ -124,8 +127,8 @@ static void ring_look(vs_ring *r, size_t c) { /* updates the stored data of corn
   ring_note_idle(r, c);
 }
 
-/* returns true if corner b is an ear: convex, with no other corner in its triangle; otherwise b waits for a corner in
- * its triangle */
+/* returns true if corner b is an ear: it is convex, and no other corner lies in its triangle; if one does, b waits for
+ * that corner */
 static bool ring_is_ear(vs_ring *r, size_t b) {
   size_t inside = vs_point_tree_in(&r->tree, ring_at(r, r->corners[b].prev), ring_at(r, b),
                                    ring_at(r, r->corners[b].next), r->flat);
@@ -133,8 +136,8 @@ static bool ring_is_ear(vs_ring *r, size_t b) {
   return inside == SIZE_MAX;
 }
 
-/* Returns the first ear (corner that can be cut off) along the ring after position `at`. Searches the entire ring, and
- * returns none if it has no ear. */
+/* Returns the first ear (corner that can be cut off) along the ring after position `at`. Searches the whole ring;
+ * returns `none` if it has no ear. */
 static size_t ring_next_ear(vs_ring *r, size_t at) {
   size_t place = r->ears[at].place, end = none;
   for (int turn = 0; turn < 2; turn++, end = place) {
@@ -160,21 +163,21 @@ static void ring_cut(vs_ring *r, size_t ear) {
 
 /* ---- holes ---- */
 
-/* A link in a list of edges. The index of the ring's edges is a binary tree that divides the range of y into bands. A
- * downward edge is in the lists of those few nodes that together cover its height. edge: the corner where the edge
- * begins, even after holes are inserted. */
+/* A link in a list of edges. The ring's edges are indexed by y: a binary tree divides the range of y into bands, and
+ * each of its nodes has a list of edges. A downward edge is in the lists of the few nodes that together cover its
+ * height. edge: the corner where the edge begins, even after holes are inserted. */
 typedef struct { uint32_t edge, next; } vs_band_link; /* next: index of the next link of the list, from 1 on; 0 marks
                                                        * the end */
 typedef struct {
-  double low, scale;    /* the coordinate y lies in band number (y - low) * scale */
+  double low, scale;    /* band number of a coordinate y: (y - low) * scale */
   size_t leaves;        /* number of bands, a power of two; in the binary tree, node 1 is the root, and node i has the
                          * children 2 i and 2 i + 1 */
   uint32_t *first;      /* first[i]: first link in the list of edges of node i */
   vs_band_link *links;
-  size_t count, room;   /* number of links, including link 0, which is unused */
-  vs_point_tree points; /* tree of the corners' points; only corners that belong to the ring (the polygon with joined
-                         * holes) are switched on, so that searches find only these */
-  uint32_t *copies;     /* copies[i] - 1: index of the next corner at the position of corner i; 0: there is none */
+  size_t count, room;   /* number of links, including link 0, which is not used */
+  vs_point_tree points; /* tree of the corners' points; only corners in the ring (the polygon with the holes joined so
+                         * far) are switched on, so that searches find only these */
+  uint32_t *copies;     /* copies[i]: index + 1 of the next corner at the position of corner i; 0 if there is none */
 } vs_bands;
 
 static bool bands_make(vs_bands *b, const vs_ring *r, size_t total, size_t most) {
@@ -200,7 +203,7 @@ static size_t band_of(const vs_bands *b, double y) {
   return band >= (double)b->leaves ? b->leaves - 1 : band > 0 ? (size_t)band : 0;
 }
 
-/* adds to the index the edge of the ring that begins at corner c */
+/* adds the edge of the ring that begins at corner c to the index of edges */
 static bool bands_add(vs_bands *b, const vs_ring *r, size_t c) {
   double from = ring_at(r, c).y, to = ring_at(r, r->corners[c].next).y;
   if (!(from > to)) return true;
@@ -225,23 +228,24 @@ static bool bands_add_loop(vs_bands *b, const vs_ring *r, size_t first, size_t s
   return true;
 }
 
-/* A search for a corner of the ring to which the hole's leftmost corner h can be joined. A ray from h towards -x hits
- * an edge first, at `hit`. m is an end of this edge. Among m and the corners within the triangle of h, hit and m, the
- * search chooses the corner at the smallest angle to the ray. If angles are equal, it chooses the nearest corner, and
- * at one position the smallest index. A bridge must not pass so close to a corner that rounding decides on which side.
- * Therefore the ray hits an edge within `blur`, and angles are equal if the lines differ by no more than that. */
+/* A search for a corner of the ring to which h, the leftmost corner of a hole, can be joined by a bridge. A ray from h
+ * towards -x hits an edge first, at `hit`; m is an end of this edge. The candidates are m and the corners within the
+ * triangle of h, hit and m. The search chooses the candidate at the smallest angle to the ray; of equal angles the
+ * nearest; of equal positions the smallest index. Differences below `blur` count as equal, so that no bridge passes a
+ * corner so closely that rounding decides on which side. */
 typedef struct {
   const vs_ring *ring;
   const uint32_t *copies;
   vs_vec2 h, m, hit;
-  double least, slack; /* least: smallest slope of a line from h found so far; slack: difference below which slopes are
-                        * equal */
-  bool choosing;       /* true in the second pass, when the least slope is known and a corner is chosen */
+  double least, slack; /* least: smallest slope, found so far, of a line from h to a candidate; slack: slopes that
+                        * differ by less are equal */
+  bool choosing;       /* true in the second pass: the least slope is known, and a candidate with this slope is
+                        * chosen */
   size_t best;
 } vs_sight;
 
-/* Returns true if p lies within the triangle of s->h, s->hit and s->m, or within the slack of its side from h to m.
- * *slope: slope of the line from h to p. */
+/* Returns true if p lies within the triangle of s->h, s->hit and s->m, or nearly on its side from h to m. *slope: slope
+ * of the line from h to p. */
 static bool sight_has(const vs_sight *s, vs_vec2 p, double *slope) {
   double up = s->m.y < s->h.y ? s->h.y - p.y : p.y - s->h.y, side = vs_vec2_turn(s->m, s->hit, p);
   if (!(p.x < s->h.x && p.x >= s->m.x && up >= 0)) return false;
@@ -250,8 +254,8 @@ static bool sight_has(const vs_sight *s, vs_vec2 p, double *slope) {
   return vs_vec2_turn(s->m, s->hit, s->h) < 0 ? side <= 0 : side >= 0;
 }
 
-/* Sets *before and *behind to the positions before and after corner c along the ring. At a bridge of length 0, it skips
- * the corners at the same position. */
+/* Sets *before and *behind to the positions of the ring's neighbours of corner c. At a bridge of length 0, skips
+ * corners at the position of c. */
 static void ring_beside(const vs_ring *r, size_t c, vs_vec2 *before, vs_vec2 *behind) {
   size_t a = r->corners[c].prev, b = r->corners[c].next;
   while (a != c && same_place(ring_at(r, a), ring_at(r, c))) a = r->corners[a].prev;
@@ -260,7 +264,7 @@ static void ring_beside(const vs_ring *r, size_t c, vs_vec2 *before, vs_vec2 *be
   *behind = ring_at(r, b);
 }
 
-/* Returns true if the two edges at the corner do not hide the point h from it. */
+/* Returns true if the two edges at the corner leave the corner visible from the point h. */
 static bool ring_sees(const vs_ring *r, size_t corner, vs_vec2 h) {
   vs_vec2 p = ring_at(r, corner), a, c;
   ring_beside(r, corner, &a, &c);
@@ -287,8 +291,8 @@ static void sight_look(void *context, size_t point) {
   }
 }
 
-/* Chooses among the corners of the ring at the position of a hole's corner the corner whose edges enclose the hole.
- * s->h: the hole's next corner. */
+/* Chooses a corner of the ring at the position of a hole's corner: the one whose edges enclose the hole. Called for
+ * each corner there. s->h: next corner of the hole. */
 static void touch_look(void *context, size_t point) {
   vs_sight *s = context;
   for (size_t i = point;; i = s->copies[i] - 1) {
@@ -297,24 +301,24 @@ static void touch_look(void *context, size_t point) {
   }
 }
 
-/* Returns a corner, at the position p, of the ring (polygon with joined holes) from which the point h is visible, or
- * none. */
+/* Returns a corner of the ring (polygon with joined holes) at the position p that is visible from the point h, or
+ * `none`. */
 static size_t ring_seeing(const vs_ring *r, const vs_bands *b, vs_vec2 p, vs_vec2 h) {
   vs_sight s = { .ring = r, .copies = b->copies, .h = h, .best = none };
   vs_point_tree_each(&b->points, &(vs_point_box){ p.x, p.y, p.x, p.y, 0 }, touch_look, &s);
   return s.best;
 }
 
-/* Returns a corner of the ring (polygon with joined holes) at the position of the corner `hole` of a hole, or none. */
+/* Returns a corner of the ring (polygon with joined holes) at the position of `hole`, a corner of a hole, or `none`. */
 static size_t ring_touch(const vs_ring *r, const vs_bands *b, size_t hole) {
   return ring_seeing(r, b, ring_at(r, hole), ring_at(r, r->corners[hole].next));
 }
 
-/* A ray from h towards -x. edge: corner where the first edge begins that the ray hits, among those tested so far, or
- * none; x: coordinate x of the hit. */
+/* A ray from h towards -x. edge: corner where the first edge begins that the ray hits, of the edges tested so far, or
+ * `none`; x: coordinate x of the hit. */
 typedef struct { vs_vec2 h; size_t edge; double x; } vs_ray;
 
-/* Tests the ray against all edges in the list of node `band` of the index. */
+/* Tests the ray against all edges in the list of node `band` of the index of edges. */
 static void band_meet(const vs_ring *r, const vs_bands *b, size_t band, vs_ray *ray) {
   vs_vec2 h = ray->h;
   double blur = r->blur;
@@ -341,8 +345,8 @@ static size_t ring_bridge(const vs_ring *r, const vs_bands *b, size_t start, siz
     last = band;
   }
   size_t edge = ray.edge;
-  if (edge == none) return start; /* The ray hits no edge, so the hole is outside its outer loop. The boundary is
-                                   * correct with any bridge. */
+  if (edge == none) return start; /* The ray hits no edge, so the hole lies outside of its outer loop. With any bridge,
+                                   * the triangles still have the right boundary. */
   size_t next = r->corners[edge].next;
   vs_vec2 p = ring_at(r, edge), q = ring_at(r, next);
   bool at_p = fabs(p.y - h.y) <= blur && p.x <= h.x, at_q = fabs(q.y - h.y) <= blur && q.x <= h.x;
@@ -390,15 +394,15 @@ static int hole_compare(const void *a, const void *b) {
   return p->at.y < q->at.y ? -1 : p->at.y > q->at.y;
 }
 
-/* The state of the joining of holes to the ring. */
+/* The state of joining the holes to the ring (outer loop and joined holes). */
 typedef struct {
   vs_ring *ring;
   vs_bands bands;
   vs_hole *holes;
   vs_point_tree outside; /* tree of the holes' points; only corners of holes that are not joined yet are switched on */
   uint32_t *hole_of;     /* hole_of[i]: number of the hole that contains point i */
-  size_t *queue, queued; /* queue: holes that have been joined, and must be tested for other holes that touch them;
-                          * queued: their number */
+  size_t *queue, queued; /* queue: holes that have been joined, and around which other holes that touch them must be
+                          * searched; queued: length of the queue */
   size_t start;          /* corner with which the ring begins */
 } vs_joining;
 
@@ -409,8 +413,8 @@ static bool join_at(vs_joining *j, size_t a, size_t b) { /* joins corner a of th
   j->queue[j->queued++] = j->hole_of[b];
   for (size_t c = hole->first; c < hole->first + hole->size; c++) vs_point_tree_switch(&j->outside, c, false);
   if (!ring_splice(r, &j->bands, a, b) || !bands_add_loop(&j->bands, r, hole->first, hole->size)) return false;
-  if (a == j->start) j->start = r->corners[b].prev; /* if the ring began with a, it now begins with the copy of a, which
-                                                     * precedes the hole */
+  if (a == j->start) j->start = r->corners[b].prev; /* if a was the start of the ring, the start is now the copy of a,
+                                                     * which precedes the hole */
   return true;
 }
 
@@ -419,7 +423,7 @@ static void least_look(void *context, size_t point) {
   if (point < *least) *least = point;
 }
 
-/* Joins all holes that touch a corner of a loop in the ring. first, size: range of the loop's corners. */
+/* Joins all holes that touch a corner of a loop in the ring. first, size: range of this loop's corners. */
 static bool join_touching(vs_joining *j, size_t first, size_t size) {
   for (size_t c = first; c < first + size; c++) {
     vs_vec2 p = ring_at(j->ring, c);
@@ -434,8 +438,8 @@ static bool join_touching(vs_joining *j, size_t first, size_t size) {
   return true;
 }
 
-/* Joins all holes to the ring. First come holes that touch the ring, and holes that touch such holes. The remaining
- * holes follow from left to right, each together with the holes that touch it. */
+/* Joins all holes to the ring. Begins with holes that touch the ring or a joined hole. Then joins the remaining holes
+ * from left to right, each followed by the holes that touch it. */
 static bool join_all(vs_joining *j, size_t count, size_t outer) {
   bool ok = bands_add_loop(&j->bands, j->ring, 0, outer);
   for (size_t i = 0; i < count; i++)
@@ -488,7 +492,8 @@ static bool ring_clip(vs_ring *r, size_t start, size_t left, vs_mesh *m, const u
         }
         i = r->corners[i].next;
       } while (i != at);
-      if (ear == none) ear = at; /* no area is a number, as the coordinates are NaN */
+      if (ear == none) ear = at; /* no area is greater than another because coordinates are NaN, so any corner is cut
+                                  * off */
     }
     size_t prev = r->corners[ear].prev, next = r->corners[ear].next;
     uint32_t a = index[r->corners[prev].point], b = index[r->corners[ear].point], c = index[r->corners[next].point];
@@ -500,7 +505,8 @@ static bool ring_clip(vs_ring *r, size_t start, size_t left, vs_mesh *m, const u
   return true;
 }
 
-/* Sets each corner's index along the ring, and the set of corners to be tested for being ears. */
+/* Sets each corner's index along the ring, and the set of corners that are to be tested for being ears. Returns false
+ * when memory is out. */
 static bool ring_begin(vs_ring *r, size_t start, size_t total, size_t size) {
   /* Corners of loops with fewer than three corners are not part of the ring, so they have no position in it. */
   for (size_t i = 0; i < r->count; i++) r->points[i] = i < total ? i : r->corners[i].point;

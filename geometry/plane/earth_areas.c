@@ -1,7 +1,8 @@
-/* Makes the area around other areas, without the pieces that these areas enclose. */
+/* Makes the earth around areas: all of a box except these areas and pieces that they enclose. */
 #include "geometry/plane/earth_areas.h"
 
-/* Returns true if a loop has a corner on the left, right or lower side of the box, or on the upper side if `upper`. */
+/* Returns true if a loop has a corner on the left, right or lower side of the box, or if `upper` is true, on its upper
+ * side. */
 static bool reaches(const vs_vec2 *at, size_t count, const vs_vec2 box[2], bool upper) {
   for (size_t i = 0; i < count; i++)
     if (at[i].x <= box[0].x || at[i].x >= box[1].x || at[i].y <= box[0].y || (upper && at[i].y >= box[1].y))
@@ -9,8 +10,8 @@ static bool reaches(const vs_vec2 *at, size_t count, const vs_vec2 box[2], bool 
   return false;
 }
 
-/* Copies to out the pieces of area a that reach the left, right or lower side of the box, or the upper side if
- * `upper`. */
+/* Copies to out the pieces of area a that reach the left, right or lower side of the box, or if `upper` is true, its
+ * upper side. */
 static bool keep_outer(const vs_area *a, const vs_vec2 box[2], bool upper, vs_area *out) {
   bool ok = true, kept = false;
   for (size_t l = 0, first = 0; ok && l < a->loop_count; first += a->size[l++]) {

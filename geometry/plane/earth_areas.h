@@ -5,8 +5,8 @@
 #include "geometry/plane/areas.h"
 
 /* Makes the part of a box, from corner box[0] to corner box[1], that lies outside the area of the directed edges (see
- * vs_area_of_chain). Omits its pieces that do not reach the box's left, right or lower side, nor, if `upper`, its upper
- * side. out must be empty. Returns false and sets e on failure. */
+ * vs_area_of_chain). Omits pieces that reach neither the left, right nor lower side of the box; if `upper` is true,
+ * pieces at the upper side are kept, too. out must be empty. Returns false and sets e on failure. */
 bool vs_earth_around(const vs_vec2 (*edges)[2], size_t count, const vs_vec2 box[2], bool upper, vs_area *out,
                      vs_error *e);
 

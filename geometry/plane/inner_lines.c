@@ -1,5 +1,5 @@
-/* Computes the part of an area's border that lies within another area. On a slice of a solid, this is the outline of
- * the next higher slice. */
+/* Computes the part of an area's border that lies within another area. If the areas are two successive slices of a
+ * solid, it is the visible outline of the higher slice. */
 #include "geometry/plane/inner_lines.h"
 
 #include <math.h>
@@ -13,8 +13,8 @@ void vs_inner_lines_free(vs_inner_lines *l) {
   *l = (vs_inner_lines){ 0 };
 }
 
-/* Returns the position of the point on the segment from p to q that is nearest to r, as a fraction of the segment's
- * length. *distance: distance of that point from r. */
+/* Returns the position of the point nearest to r on the segment from p to q, as a fraction of the segment's length.
+ * *distance: distance of this point from r. */
 static double nearest(vs_vec2 p, vs_vec2 q, vs_vec2 r, double *distance) {
   double x = q.x - p.x, y = q.y - p.y, square = x * x + y * y;
   double t = square > 0 ? fmin(1, fmax(0, ((r.x - p.x) * x + (r.y - p.y) * y) / square)) : 0;
@@ -33,8 +33,8 @@ static bool on_border(const vs_area *a, vs_vec2 p, double slack) {
 }
 
 typedef struct {
-  double *at; /* positions along the current edge, as fractions of its length: its ends, and the corners of the other
-               * area that lie on it */
+  double *at; /* positions along the current edge, as fractions of its length: 0, 1, and those of corners of the other
+               * area on the edge */
   size_t count, room;
 } cuts;
 
@@ -55,7 +55,7 @@ static bool find_cuts(const vs_area *a, vs_vec2 p, vs_vec2 q, double slack, cuts
   return true;
 }
 
-/* The state of a line that is being traced. The line begins at point number `first`. */
+/* The state while a line is traced. The line begins at point number `first` of the output. */
 typedef struct {
   vs_inner_lines *out;
   size_t first;
@@ -80,7 +80,8 @@ static bool end(tracer *t, bool closed) {
   return true;
 }
 
-/* Traces the lines along a loop. It starts at an edge that lies on the other area's border, if there is one. */
+/* Traces the lines along a loop. If an edge lies on the border of area a, starts there, so that no line continues
+ * across the loop's start. */
 static bool trace(const vs_area *a, const vs_vec2 *loop, size_t n, double slack, tracer *t) {
   size_t start = 0;
   cuts c = { 0 };
@@ -106,8 +107,8 @@ static bool trace(const vs_area *a, const vs_vec2 *loop, size_t n, double slack,
       ok = ok && add(t, to);
     }
   }
-  if (ok && !broken && t->out->count > t->first) t->out->count--; /* removes the last point of a closed line, which
-                                                                   * repeats the first point */
+  if (ok && !broken && t->out->count > t->first) t->out->count--; /* the whole loop is one closed line: removes its last
+                                                                   * point, which repeats the first */
   ok = ok && end(t, !broken);
   free(c.at);
   return ok;

@@ -30,8 +30,8 @@ typedef struct { vs_vec3 end[2]; double size; bool used, closed; } vs_join_part;
 
 static bool join_near(vs_vec3 a, vs_vec3 b, double size) { return vs_v3_length(vs_v3_sub(a, b)) <= 1e-9 * size; }
 
-/* Returns the index of the next unused curve that has an end at the point `at`, or count if there is none. *far: the
- * curve's other end. size: size of the curves, for the tolerance. */
+/* Returns the index of the next unused curve that has one end at the point `at`; count if there is none. *far: the
+ * other end of that curve. size: size of the curves, which determines the tolerance. */
 static size_t join_next(const vs_join_part *parts, size_t count, vs_vec3 at, double size, vs_vec3 *far) {
   for (size_t k = 0; k < count; k++)
     for (int end = 0; end < 2 && !parts[k].used && !parts[k].closed; end++)
@@ -55,8 +55,8 @@ bool vs_curves_join(vs_store *s, vs_ref *refs, size_t *count, vs_error *e) {
   for (size_t i = 0; ok && i < n; i++) {
     if (parts[i].used) continue;
     parts[i].used = true;
-    size_t first = n, last = n + 1; /* the list of the chain's curves is filled from the middle of its array, because it
-                                     * grows in both directions */
+    size_t first = n, last = n + 1; /* the chain grows in both directions, so the list of its curves is filled from the
+                                     * middle of the array */
     chain[n] = refs[i];
     double size = parts[i].size;
     vs_vec3 head = parts[i].end[0], tail = parts[i].end[1], far;

@@ -1,8 +1,8 @@
 /* Finds the points where two curves intersect or touch (meetings.h).
  *
- * Boxes contain spans of both curves, and larger boxes contain several boxes. If boxes are close to each other, their
- * spans are compared in pairs. Newton's method starts from the nearest points of two spans' chords. It moves along the
- * curves to the points where they are nearest to each other. */
+ * Bounding boxes contain spans (pieces between samples) of both curves, and larger boxes contain several boxes. If two
+ * boxes are close to each other, their spans are compared in pairs. Newton's method starts from the nearest points of
+ * the two spans' chords, and moves along the curves to where they are nearest to each other. */
 #include "geometry/plane/meetings.h"
 
 #include <math.h>
@@ -15,8 +15,8 @@ enum { GROUP = 16, STEPS = 40 };
 static size_t spans(const vs_stations *s) { return s->path.count - (s->path.closed ? 0 : 1); }
 static vs_vec3 end_of(const vs_stations *s, size_t i) { return s->path.at[i < s->path.count ? i : 0].at; }
 
-/* Returns the bounding box of the spans first to last - 1, enlarged by the largest distance of arcs from their chords.
- * first <= last. */
+/* Returns the bounding box of the curve's spans from first to last - 1. It is enlarged by the largest distance of an
+ * arc from its chord. first <= last. */
 static vs_bounds box_of(const vs_stations *s, size_t first, size_t last) {
   vs_bounds b = vs_bounds_empty();
   double arcs = 0;
@@ -37,14 +37,14 @@ static bool boxes_near(const vs_bounds *a, const vs_bounds *b, double near) {
 
 static double held(double x, double high) { return x < 0 ? 0 : x > high ? high : x; }
 
-/* Returns the position s on the curve, as arc length, brought into the curve's range: modulo its length if it is
- * closed, else limited to it. */
+/* Returns the arc length s, brought into the curve's range: modulo its length if the curve is closed, else limited to 0
+ * and its length. */
 static double along(const vs_stations *c, double s) {
   return c->path.closed ? s - c->length * floor(s / c->length) : held(s, c->length);
 }
 
-/* Moves the positions s and t to where the curves a and b are nearest to each other, by Newton's method. Returns the
- * distance of the two points. */
+/* Moves the arc lengths s and t to where the curves a and b are nearest to each other, by Newton's method. Returns the
+ * distance of these two points. */
 static double nearest(const vs_stations *a, const vs_stations *b, double *s, double *t, double most) {
   double best = INFINITY;
   for (int i = 0; i < STEPS; i++) {
@@ -76,7 +76,7 @@ static bool same_place(const vs_stations *c, double a, double b, double near) {
   return d <= near || (c->path.closed && c->length - d <= near);
 }
 
-/* Sets s and t to the nearest points of the chords p-q and r-w, as fractions of their lengths. */
+/* Sets s and t to the nearest points of the chords p-q and r-w, as fractions of the chords' lengths. */
 static void chords(vs_vec3 p, vs_vec3 q, vs_vec3 r, vs_vec3 w, double *s, double *t) {
   vs_vec3 u = vs_v3_sub(q, p), v = vs_v3_sub(w, r), d = vs_v3_sub(r, p);
   double uu = vs_v3_dot(u, u), vv = vs_v3_dot(v, v), uv = vs_v3_dot(u, v), du = vs_v3_dot(d, u), dv = vs_v3_dot(d, v);
@@ -103,7 +103,7 @@ static vs_meetings_outcome pair(search *w, size_t i, size_t j) {
   double t = w->b->along[j] + y * (w->b->along[j + 1] - w->b->along[j]);
   double s0 = s, t0 = t;
   if (nearest(w->a, w->b, &s, &t, 2 * span) > w->near) return VS_MEETINGS_DONE;
-  /* If the nearest points are far from these two spans, the search from another pair of spans finds them. */
+  /* The nearest points are far from these two spans, so they are found from another pair of spans. */
   if (!same_place(w->a, s, s0, 3 * span) || !same_place(w->b, t, t0, 3 * span)) return VS_MEETINGS_DONE;
   double blur = fmax(w->near, 1e-7 * fmax(w->a->length, w->b->length));
   for (size_t k = 0; k < w->count; k++)

@@ -6,7 +6,7 @@
 
 typedef struct {
   vs_vec3 at;
-  double s, t; /* arc lengths from the starts of the two curves to the point where they meet */
+  double s, t; /* arc lengths, from the starts of curves a and b, of the point where they meet */
 } vs_meeting;
 
 typedef enum {

@@ -19,17 +19,17 @@
 #include "model/store/array.h"
 
 enum { MITRE_MOST = 100 }; /* greatest length of a mitre, as a multiple of the offset's distance; a sharper corner is
-                            * cut square */
+                            * cut off square */
 
 typedef struct {
   vs_area *strips;
-  vs_vec2 *near, *far;  /* points of the current strip: `near` on the line, `far` on the side at the offset's
-                         * distance */
+  vs_vec2 *near, *far;  /* points of the current strip: `near` on the original line, `far` at the offset's distance from
+                         * it */
   size_t near_count, far_count, near_room, far_room;
   double turned, d, hand;
   vs_offset_corners corners;
-  int turn;             /* number of facets of a full turn, for round corners */
-  const vs_vec2 *ways;  /* exact unit directions at the two ends of an open line, or NULL */
+  int turn;             /* number of facets in a full turn of a round corner */
+  const vs_vec2 *ways;  /* exact unit directions of an open line at its two ends, or NULL */
 } vs_offsetter;
 
 static const double pi = 3.14159265358979323846;
@@ -47,8 +47,8 @@ static bool offset_far(vs_offsetter *o, vs_vec2 p, double nx, double ny) {
   return offset_push(&o->far, &o->far_count, &o->far_room, p.x + o->d * nx, p.y + o->d * ny);
 }
 
-/* Appends the current strip to the strips as a counter-clockwise loop. If its far side is on the left, the loop goes
- * along the line and back on the far side. */
+/* Appends the current strip to the list of strips, as a counter-clockwise loop: it goes along the original line and
+ * back on the far side, or the other way round if the far side is on the right. */
 static bool offset_strip(vs_offsetter *o) {
   bool ok = true;
   size_t n = o->near_count, m = o->far_count;
@@ -62,12 +62,12 @@ static bool offset_strip(vs_offsetter *o) {
   return ok && vs_area_loop(o->strips, false);
 }
 
-typedef struct { vs_vec2 p; double tx, ty, nx, ny, length; } vs_offset_edge; /* an edge from p: its direction (tx, ty),
-                                                                              * the normal (nx, ny) to the strip's side,
-                                                                              * and its length */
+typedef struct { vs_vec2 p; double tx, ty, nx, ny, length; } vs_offset_edge; /* an edge that begins at p: unit direction
+                                                                              * (tx, ty), unit normal (nx, ny) towards
+                                                                              * the strip, and length */
 
-/* Appends the points of the strip's far side around the corner p, which opens on that side, from the end of edge a to
- * the start of edge b. */
+/* Appends the far side of the strip around the corner p, at which the strip widens, from the end of edge a to the start
+ * of edge b. */
 static bool offset_join(vs_offsetter *o, vs_vec2 p, const vs_offset_edge *a, const vs_offset_edge *b) {
   double cosine = a->nx * b->nx + a->ny * b->ny, sine = a->nx * b->ny - a->ny * b->nx,
          half = atan2(fabs(sine), cosine) / 2;
@@ -83,7 +83,8 @@ static bool offset_join(vs_offsetter *o, vs_vec2 p, const vs_offset_edge *a, con
   } else if (o->corners == VS_OFFSET_MITRE && least > 0 && least <= MITRE_MOST) {
     double k = 1 / (1 + cosine);
     ok = ok && offset_far(o, p, (a->nx + b->nx) * k, (a->ny + b->ny) * k);
-  } else { /* cuts the corner square, at the offset's distance from it */
+  } else { /* cuts the corner off with a straight edge, perpendicular to the bisector, at the offset's distance from
+            * p */
     double k = tan(half / 2);
     ok = ok && offset_far(o, p, a->nx + k * a->tx, a->ny + k * a->ty) &&
          offset_far(o, p, b->nx - k * b->tx, b->ny - k * b->ty);
@@ -102,7 +103,7 @@ static vs_offset_corner offset_look(const vs_offsetter *o, const vs_offset_edge 
   return cosine > -0.5 && o->d * tan(*turning / 2) < 0.5 * fmin(a->length, b->length) ? CORNER_MEETS : CORNER_CROSSES;
 }
 
-/* Makes the strips along n points, which form a closed loop or an open line. Returns false when memory is out. */
+/* Makes the strips along a closed loop or an open line of n points. Returns false when memory is out. */
 static bool offset_strips(vs_offsetter *o, const vs_vec2 *at, size_t n, bool closed) {
   vs_offset_edge *edges = vs_fresh(n, sizeof *edges);
   size_t count = 0;
@@ -123,8 +124,8 @@ static bool offset_strips(vs_offsetter *o, const vs_vec2 *at, size_t n, bool clo
                                  : closed ? &edges[count - 1]
                                           : NULL;
     double turning = 0, k = 0;
-    if (!o->near_count) { /* begins a strip; if the corner before it closes on this side, the strip begins on the
-                           * bisector */
+    if (!o->near_count) { /* begins a strip; if the line bends towards this side at the corner before it, the strip
+                           * begins on the bisector of that corner */
       bool meets = last && offset_look(o, last, e, &turning, &k) == CORNER_MEETS;
       double nx = !i && o->ways ? -o->hand * o->ways[0].y : e->nx, ny = !i && o->ways ? o->hand * o->ways[0].x : e->ny;
       ok = offset_near(o, e->p) &&
@@ -181,8 +182,8 @@ static double offset_distance(vs_vec2 p, vs_vec2 a, vs_vec2 b) { /* returns the 
   return hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
 }
 
-/* Appends to out the longest sequence of the border's edges that are far enough from the line. Edges of the border at
- * the line's two ends do not count. The line has at least two points, and the distance is above 0. */
+/* Appends to out the longest sequence of the border's edges that are at the offset's distance from the line, except
+ * edges at the line's two ends. The line has at least two points, and the distance is above 0. */
 static bool offset_border(const vs_offsetter *o, const vs_area *border, const vs_open_line *line, vs_polyline *out) {
   const vs_vec2 *at = line->at;
   size_t n = line->count;
@@ -198,8 +199,8 @@ static bool offset_border(const vs_offsetter *o, const vs_area *border, const vs
     const vs_vec2 *p = border->at + first;
     size_t size = border->size[l], run = 0;
     double length = 0;
-    for (size_t i = 0; i < 2 * size; i++) { /* goes twice around the loop, so that a sequence that contains its start is
-                                             * found completely */
+    for (size_t i = 0; i < 2 * size; i++) { /* goes twice around the loop, so that a sequence across the loop's start is
+                                             * found as a whole */
       vs_vec2 a = p[i % size], b = p[(i + 1) % size], middle = { (a.x + b.x) / 2, (a.y + b.y) / 2 };
       bool other = offset_distance(middle, from[0], to[0]) > slack && offset_distance(middle, from[1], to[1]) > slack;
       for (size_t k = 0; other && k + 1 < n; k++) other = offset_distance(middle, at[k], at[k + 1]) >= least;
@@ -252,7 +253,7 @@ bool vs_line_offset(const vs_open_line *line, const vs_offset_rule *rule, vs_pol
 
 bool vs_offset_round(const vs_node *n, vs_affine *place, vs_offset_exact *out) {
   double scale = 1, grown = 0;
-  bool level = true; /* true if all placements keep +Z upwards, so that the left side of an arc remains the left side */
+  bool level = true; /* true if all placements map +Z upwards, so that the left side of an arc stays the left side */
   *place = vs_affine_identity();
   for (;;) {
     if (n->kind == VS_OFFSET) grown += scale * VS_AS(offset, n)->distance;

@@ -4,8 +4,8 @@
 
 #include "geometry/plane/areas.h"
 
-/* The distance and the form of corners of an offset. Round corners have `segments` facets in a full turn, or follow the
- * fineness if segments is 0. */
+/* The distance of an offset and the form of its corners. segments: number of facets of a round corner in a full turn;
+ * 0: it follows the fineness. */
 typedef struct {
   double distance;
   vs_offset_corners corners;
@@ -13,7 +13,8 @@ typedef struct {
   int segments;
 } vs_offset_rule;
 
-/* An open line through at least two points, of which neighbours differ. ways: exact unit directions at its two ends. */
+/* An open line through at least two points; neighbouring points differ. ways: exact unit directions of the line at its
+ * two ends. */
 typedef struct {
   const vs_vec2 *at;
   size_t count;
@@ -27,9 +28,9 @@ bool vs_area_offset(const vs_area *in, const vs_offset_rule *rule, vs_area *out,
  * 0. out is empty if nothing remains. Returns false and sets e on failure. */
 bool vs_line_offset(const vs_open_line *line, const vs_offset_rule *rule, vs_polyline *out, vs_error *e);
 bool vs_offset_round(const vs_node *offset, vs_affine *place, vs_offset_exact *out);
-/* Finds the plane in which the left side of an open line is defined. Columns 0 and 1 of *frame span it; column 2 is its
- * normal, which points up. The plane of a straight line is the one nearest to horizontal; for a vertical line it is XZ
- * as seen from -Y. Returns false if the line lies in no plane. */
+/* Finds the plane in which the left side of an open line is defined. Columns 0 and 1 of *frame span the plane; column 2
+ * is its normal, which points up. A straight line lies in many planes: uses the plane nearest to horizontal, or for a
+ * vertical line XZ as seen from -Y. Returns false if the line lies in no plane. */
 bool vs_line_frame(const vs_polyline *line, vs_affine *frame, vs_error *e);
 
 #endif

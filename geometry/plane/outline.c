@@ -76,8 +76,8 @@ static bool outline_loop_in(const vs_affine *frame, const vs_polyline *p, const 
   return 2 * votes > asked;
 }
 
-/* Returns the normal of the plane of an open profile. A straight profile lies in many planes: the result then belongs
- * to its vertical plane, or to the plane XZ if the profile itself is vertical. */
+/* Returns the normal of the plane of an open profile. A straight profile lies in many planes: uses the vertical plane
+ * through it, or the plane XZ if the profile itself is vertical. */
 static vs_vec3 outline_normal_of_open(const vs_polyline *p) {
   vs_vec3 sum = { 0, 0, 0 }, along = { 0, 0, 0 };
   double length = 0;
@@ -92,14 +92,14 @@ static vs_vec3 outline_normal_of_open(const vs_polyline *p) {
   return vs_v3_length(across) > 1e-12 * length ? across : vs_v3(0, 1, 0);
 }
 
-/* Orders holes after their outer loops. depth[i]: number of loops that contain loop i. If depth[i] is odd, loop i is a
- * hole of the smallest outer loop that contains it. */
+/* Orders the loops of o: each outer loop is followed by its holes. depth[i]: number of loops that contain loop i. If it
+ * is odd, loop i is a hole of the smallest outer loop around it. */
 static bool outline_nest(vs_outline *o) {
   size_t n = o->count, done = 0;
   size_t *depth = vs_zeros(n, sizeof *depth), *parent = vs_fresh(n, sizeof *parent);
   vs_polyline *sorted = vs_fresh(n, sizeof *sorted);
-  vs_loop_box *box = vs_fresh(n, sizeof *box); /* bounding boxes of the loops, for a quick test: most loops of a
-                                                * perforated sheet are disjoint */
+  vs_loop_box *box = vs_fresh(n, sizeof *box); /* bounding boxes of the loops, for a quick test: in a perforated sheet,
+                                                * most pairs of loops do not overlap */
   o->hole = vs_zeros(n, sizeof *o->hole);
   bool ok = depth && parent && sorted && box && o->hole;
   for (size_t i = 0; ok && i < n; i++) box[i] = outline_box(&o->frame, &o->loops[i]);
@@ -124,7 +124,7 @@ static bool outline_nest(vs_outline *o) {
       sorted[done++] = o->loops[j];
     }
   }
-  if (ok) { /* replaces the order only if it contains all loops, which is so because every hole has an outer loop */
+  if (ok) { /* every hole has an outer loop, so the new order contains all loops */
     free(o->loops);
     o->loops = sorted;
     sorted = NULL;

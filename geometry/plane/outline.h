@@ -4,7 +4,7 @@
 
 #include "model/node.h"
 
-/* The points of a curve. If closed, the first point is not repeated at the end. */
+/* The points of a curve. If `closed` is true, the first point is not repeated at the end. */
 typedef struct { vs_vec3 *at; size_t count, room; bool closed; } vs_polyline;
 void vs_polyline_free(vs_polyline *p);
 
@@ -14,13 +14,14 @@ void vs_polyline_free(vs_polyline *p);
  * curve, such as the profile of a surface, is a single loop that is not closed. */
 typedef struct { vs_polyline *loops; bool *hole; size_t count; vs_vec3 point, normal; vs_affine frame; } vs_outline;
 void vs_outline_free(vs_outline *o);
-/* Makes an outline of loops in one plane. The outline then owns the points, and the given loops are left empty, even on
+/* Makes an outline of loops in one plane. It takes over the points, and the given loops are empty afterwards, even on
  * failure. Returns false and sets e on failure. */
 bool vs_outline_of_loops(vs_polyline *loops, size_t count, vs_outline *out, vs_error *e);
 /* Finds the plane of o's loops and its frame. Returns false if the loops enclose no area, or do not lie in one
  * plane. */
 bool vs_outline_plane(vs_outline *o, vs_error *e);
-/* Reverses loops so that outer loops are counter-clockwise about the normal, and holes clockwise. */
+/* Reverses those loops that have the wrong direction: outer loops become counter-clockwise about the normal, holes
+ * clockwise. */
 void vs_outline_orient(vs_outline *o);
 /* Returns the area of the outline and sets *centroid. For an open outline, these are the length and the centroid of the
  * curve. */

@@ -1,8 +1,8 @@
 /* Evaluates planar expressions: converts curves, regions and sets of regions to paths and outlines, within a tolerance.
  *
- * The evaluation uses two stacks. A frame is a node that waits for its children. A value is the result of a child.
- * Frames contain the placements above the node, so every curve is sampled in its final position, and sets are computed
- * in their final plane. */
+ * The evaluation uses two stacks: of frames and of values. A frame is a node that waits for its children. A value is
+ * the result of a child. Frames contain the placements above the node, so every curve is sampled in its final position,
+ * and sets are computed in their final plane. */
 #include <stdlib.h>
 
 #include "geometry/plane/planar_evaluation.h"
@@ -23,8 +23,10 @@ typedef struct {
   const vs_ref *ref;
   uint32_t next;       /* index of the node's next child to evaluate */
   size_t first;        /* index in the value stack of the first child's result */
-  vs_affine map;       /* map to apply to the node's children: the placements above the node */
-  vs_affine after;     /* for an offset: map to apply to its result */
+  vs_affine map;       /* map from the coordinates of the node's children to the final position: the placements above
+                        * the node */
+  vs_affine after;     /* for an offset: map from the coordinates in which the offset is computed to the final
+                        * position */
   vs_fineness facets;
 } vs_flat_frame;
 
@@ -58,7 +60,7 @@ static bool flat_open(vs_flat *f, const vs_ref *ref, const vs_affine *map, const
   return true;
 }
 
-/* Makes the outline of text node n. Its loops are already nested. The outline is empty if the letters have no ink. */
+/* Makes the outline of text node n. Its loops are already nested. The outline is empty if the text has only blanks. */
 static bool text_outline(const vs_node *n, const vs_affine *placed, const vs_fineness *f, vs_outline *out,
                          vs_error *e) {
   if (!vs_text_loops(n, placed, f, out, e)) return false;
@@ -88,7 +90,7 @@ static bool hull_outline(const vs_node *n, const vs_affine *placed, const vs_fin
 
 static bool flat_fill(vs_flat *f, const vs_ref *ref, vs_flat_value *v);
 
-/* Pushes the value of a leaf onto the value stack, or pushes a frame for a node with children. */
+/* Evaluates ref: pushes the value of a leaf onto the stack of values, or a frame for a node with children. */
 static bool flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs_fineness *facets) {
   for (;;) {
     const vs_node *n = ref->node;
@@ -116,7 +118,7 @@ static bool flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs_fi
             return false;
           return n->class_ == VS_CURVE || flat_fill(f, ref, v);
         }
-        /* The offset is computed in the node's own coordinates, because its distance refers to them. */
+        /* The offset's distance refers to the coordinates of its node, so the offset is computed in these. */
         vs_fineness inner = vs_fineness_placed(facets, &map);
         return flat_open(f, ref, &identity, &inner) && (f->frames[f->frame_count - 1].after = map, true);
       }
@@ -128,8 +130,8 @@ static bool flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs_fi
       }
       case VS_JOIN: case VS_REGION: return flat_open(f, ref, &map, facets);
       case VS_XLINE: case VS_RAY: return flat_fail(f, ref, "expected a curve with two ends or none");
-      case VS_SECTION: case VS_PROJECT: case VS_EDGES: /* cannot occur, because solids/resolve.c has replaced these
-                                                        * kinds by curves and regions */
+      case VS_SECTION: case VS_PROJECT: case VS_EDGES: /* not reached, because solids/resolve.c has replaced these kinds
+                                                        * by curves and regions */
       case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE:
         if (n->class_ == VS_REGION_CLASS) return flat_open(f, ref, &map, facets);
         if (n->child_count == 1) {
@@ -152,8 +154,8 @@ static bool flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs_fi
   }
 }
 
-/* Joins the paths of `count` curves end to end into *out. Reverses a curve if its end, instead of its start, lies at
- * the end of the previous curve. */
+/* Joins the paths of `count` curves end to end into *out. Reverses a curve if its end is nearer to the end of the
+ * previous curve than its start. */
 static bool flat_join(vs_flat *f, const vs_ref *ref, vs_flat_value *values, size_t count, vs_flat_value *out) {
   vs_path *to = &out->path;
   bool ok = true;
@@ -190,7 +192,7 @@ static bool flat_join(vs_flat *f, const vs_ref *ref, vs_flat_value *values, size
   return ok;
 }
 
-/* Converts a closed path to the outline of the area inside. */
+/* Converts a closed path to the outline of the area inside it. */
 static bool flat_fill(vs_flat *f, const vs_ref *ref, vs_flat_value *v) {
   vs_polyline loop = { 0 };
   if (v->filled) return true;
@@ -235,8 +237,8 @@ bool vs_outline_coplanar(const vs_outline *a, const vs_outline *b) {
 static bool flat_combine(vs_flat *f, const vs_ref *ref, vs_flat_value *values, size_t count, vs_flat_value *out) {
   vs_area *areas = vs_zeros(count, sizeof *areas), made = { 0 };
   bool ok = areas || vs_error_memory(f->error, ref->origin);
-  const vs_outline *plane = NULL; /* outline of the set's first operand that is not empty; the result lies in the plane
-                                   * of this outline */
+  const vs_outline *plane = NULL; /* the first operand that is not empty; the set's result lies in the plane of this
+                                   * outline */
   for (size_t i = 0; ok && i < count; i++) {
     ok = flat_fill(f, ref, &values[i]);
     if (ok && (!plane || (!plane->count && values[i].outline.count))) plane = &values[i].outline;
@@ -277,7 +279,7 @@ static void flat_place(vs_flat_value *v, const vs_affine *map) {
   vs_path_measure(&v->path);
 }
 
-/* Maps the value of a region, and computes its plane and holes again. An empty region keeps its plane, which is
+/* Maps the outline of a region by `map`, and computes its plane and holes again. Even if it is empty, its plane is
  * mapped. */
 static bool flat_settle(vs_flat *f, const vs_affine *map, vs_flat_value *v) {
   flat_place(v, map);
@@ -374,7 +376,7 @@ static bool flat_evaluate(const vs_node *n, const vs_affine *placed, const vs_fi
     if (top->next < top->ref->node->child_count) {
       const vs_ref *child = &top->ref->node->children[top->next++];
       vs_fineness inner = top->facets;
-      /* An empty operand is skipped, because it adds and removes nothing. */
+      /* Skips an empty operand, because it neither adds nor removes anything. */
       if (child->node->class_ != VS_NOTHING) ok = flat_enter(&f, child, top->map, &inner);
     } else ok = flat_leave(&f);
   }

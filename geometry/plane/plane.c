@@ -11,8 +11,8 @@ bool vs_plane_same(const vs_shape_plane *a, const vs_shape_plane *b) {
   return vs_v3_length(vs_v3_cross(a->normal, b->normal)) <= 1e-6 && fabs(vs_v3_dot(a->normal, between)) <= 1e-6 * reach;
 }
 
-/* Points that determine a plane. The point farthest from the first point determines a line. The point farthest from
- * that line determines the plane. All points at[i] and more[i] are mapped by `map`. */
+/* Points that determine a plane: at[i] and more[i], mapped by `map`. The point farthest from the first point determines
+ * a line; the point farthest from this line determines the plane. */
 typedef struct { const vs_vec3 *at; size_t count; vs_vec3 more[4]; size_t more_count; vs_affine map; } vs_plane_points;
 
 static vs_vec3 plane_point(const vs_plane_points *p, size_t i) {
@@ -43,8 +43,9 @@ static vs_plane_count plane_through_points(const vs_plane_points *p, vs_shape_pl
 
 /* ---- the function of each kind ----
  *
- * A plane_rule sets *found and returns true. If the node's plane is that of its first child, it multiplies p->map by
- * the placement and returns false; the rule of the child's kind is then called. */
+ * A plane_rule is a function that finds the plane of nodes of one kind. It sets *found and returns true. If the node
+ * has the plane of its first child, it multiplies p->map by the node's placement and returns false; the function of the
+ * child's kind is then called. */
 
 typedef bool plane_rule(const vs_node *n, vs_plane_points *p, vs_shape_plane *out, vs_plane_count *found);
 
@@ -110,7 +111,7 @@ static bool plane_text(const vs_node *n, vs_plane_points *p, vs_shape_plane *out
   return plane_by(p, (const vs_vec3[]){ at, vs_v3_add(at, vs_v3(1, 0, 0)), vs_v3_add(at, vs_v3(0, 1, 0)) }, out, found);
 }
 
-/* Sets *out to the plane through the point `at`, perpendicular to a direction. */
+/* Sets *out to the plane through the point `at`, perpendicular to the direction `normal`. */
 static bool plane_across(vs_vec3 at, vs_vec3 normal, vs_plane_points *p, vs_shape_plane *out, vs_plane_count *found) {
   vs_affine frame = vs_frame_on_axis(at, normal);
   const vs_vec3 by[3] = { at, vs_v3_add(at, vs_v3(frame.m[0][0], frame.m[1][0], frame.m[2][0])),
@@ -139,7 +140,7 @@ static bool plane_hull(const vs_node *n, vs_plane_points *p, vs_shape_plane *out
   return true;
 }
 
-/* Finds the plane of joined curves by coarse samples of the curve. */
+/* Finds the plane of a join of curves from a coarse sample of it. */
 static bool plane_join(const vs_node *n, vs_plane_points *p, vs_shape_plane *out, vs_plane_count *found) {
   vs_fineness coarse = { 1, 12 };
   vs_polyline line = { 0 };

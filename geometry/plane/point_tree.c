@@ -87,28 +87,30 @@ void vs_point_tree_switch(vs_point_tree *t, size_t item, bool on) {
   VS_ASSERT(item < t->count);
   if (t->is_on[rank] == on) return;
   t->is_on[rank] = on;
-  for (size_t i = t->leaves + rank / POINT_TREE_LEAF; i > 0; i /= 2) t->boxes[i].on += on ? 1 : SIZE_MAX; /* in the leaf
-                                                                                                           * and all
+  for (size_t i = t->leaves + rank / POINT_TREE_LEAF; i > 0; i /= 2) t->boxes[i].on += on ? 1 : SIZE_MAX; /* changes the
+                                                                                                           * count of
+                                                                                                           * switched-on
+                                                                                                           * points by
+                                                                                                           * 1, in the
+                                                                                                           * leaf that
+                                                                                                           * contains
+                                                                                                           * the point
+                                                                                                           * and in all
                                                                                                            * nodes above
-                                                                                                           * it, changes
-                                                                                                           * the number
-                                                                                                           * of points
-                                                                                                           * that are
-                                                                                                           * switched on
-                                                                                                           * by 1 */
+                                                                                                           * it */
 }
 
-/* Returns true if all of the box is clearly to the right of the line from p to q. `flat` is the tolerance for points;
- * the box gets twice as much, which exceeds rounding errors. */
+/* Returns true if the whole box is clearly to the right of the line from p to q. flat: tolerance for twice the area of
+ * a triangle of p, q and a point; the box gets twice as much, which exceeds rounding errors. */
 static bool tree_beyond(const vs_point_box *b, vs_vec2 p, vs_vec2 q, double flat) {
   /* most: the corner of the box that is farthest to the left of the line */
   vs_vec2 most = { q.y > p.y ? b->min_x : b->max_x, q.x > p.x ? b->max_y : b->min_y };
   return vs_vec2_turn(p, q, most) < -2 * flat;
 }
 
-/* Returns a box that contains every point p that counts as inside the triangle a, b, c. The triangles of p with two of
- * the corners have areas of at least -flat. Therefore none of these areas exceeds the area of a, b, c by more than 2 *
- * flat. */
+/* Returns a box that contains every point that counts as inside the triangle a, b, c. For such a point p, the triangles
+ * of p and two corners have areas of at least -flat. Therefore none of these areas exceeds the area of a, b, c by more
+ * than 2 * flat. */
 static vs_point_box tree_around(vs_vec2 a, vs_vec2 b, vs_vec2 c, double flat) {
   vs_point_box box = { fmin(a.x, fmin(b.x, c.x)), fmin(a.y, fmin(b.y, c.y)), fmax(a.x, fmax(b.x, c.x)),
                        fmax(a.y, fmax(b.y, c.y)), 0 };

@@ -5,19 +5,19 @@
 
 #include "geometry/plane/ear_clipping.h"
 
-/* A node of a binary tree of boxes. Its points, in the order of a space-filling curve, are in leaves of
- * POINT_TREE_LEAF points. on: number of switched-on points in the box. The construction takes n log n steps, and
- * switching a point takes as many steps as the tree is high. A search visits only boxes that intersect the triangle
- * and have such points. */
+/* A node of a binary tree of boxes. The points are sorted along a space-filling curve and divided into leaves of
+ * POINT_TREE_LEAF points. on: number of points in the box that are switched on. Making the tree takes n log n steps;
+ * switching a point, as many steps as the tree is high. A search visits only boxes that intersect the triangle and
+ * contain switched-on points. */
 typedef struct { double min_x, min_y, max_x, max_y; size_t on; } vs_point_box;
 typedef struct {
-  const vs_vec2 *at;   /* positions, which belong to the caller; item i has the position at[point[i]] */
+  const vs_vec2 *at;   /* positions, an array of the caller; point[i] is the index of item i's position in it */
   size_t count, leaves;
   size_t *order, *rank; /* order: items along the space-filling curve; rank[i]: index of item i in `order` */
   const size_t *point;
   bool *is_on;          /* is_on[r]: true if the item with the index r in `order` is switched on */
-  vs_point_box *boxes;  /* node 1 is the root, and node i has the children 2 i and 2 i + 1; the leaves begin at index
-                         * `leaves`, a power of two */
+  vs_point_box *boxes;  /* nodes of the tree: node 1 is the root, and node i has the children 2 i and 2 i + 1; the
+                         * leaves begin at index `leaves`, a power of two */
 } vs_point_tree;
 
 /* Makes the tree with all items off. point[i]: index in `at` of item i's position. Both arrays must live as long as the
@@ -26,9 +26,9 @@ bool vs_point_tree_make(vs_point_tree *t, const vs_vec2 *at, const size_t *point
 void vs_point_tree_free(vs_point_tree *t);
 /* Switches an item of the tree on or off; searches find only switched-on items. */
 void vs_point_tree_switch(vs_point_tree *t, size_t item, bool on);
-/* Returns an item that is switched on, lies in the triangle, and is not at the position of a, b or c. Returns SIZE_MAX
- * if there is none. A point p is in the triangle if twice the area of each of (a, b, p), (b, c, p) and (c, a, p) is at
- * least -flat. flat is at least 0. */
+/* Returns a switched-on item in the triangle whose position differs from a, b and c; SIZE_MAX if there is none. A point
+ * p counts as inside if twice the area of each of (a, b, p), (b, c, p) and (c, a, p) is at least -flat. flat is at
+ * least 0. */
 size_t vs_point_tree_in(const vs_point_tree *t, vs_vec2 a, vs_vec2 b, vs_vec2 c, double flat);
 
 /* Calls `found` for each item that is switched on and lies in the box or on its border. */

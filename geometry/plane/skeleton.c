@@ -1,5 +1,5 @@
-/* Computes straight skeletons (skeleton.h): checks the outline, lets the wave front run (skeleton_wave.h), and makes
- * the faces from the borders that it recorded. */
+/* Computes straight skeletons (skeleton.h): checks the outline, moves its edges inwards (the wave front of
+ * skeleton_wave.h), and makes the faces from the borders that the front has recorded. */
 #include "geometry/plane/skeleton.h"
 
 #include <math.h>
@@ -53,13 +53,14 @@ static long double distance(vs_vec2 p, vs_vec2 a, vs_vec2 b) {
   return hypotl(v.x - along * d.x, v.y - along * d.y);
 }
 
-/* Returns true if the edges i and j of the outline touch elsewhere than at a common corner. */
+/* Returns true if the edges i and j of the outline touch at a place other than a common corner. least: distance below
+ * which points coincide. */
 static bool touch(const vs_skeleton_outline *o, const rings *r, uint32_t i, uint32_t j, long double least) {
   vs_vec2 a = o->at[i], b = o->at[r->next[i]], c = o->at[j], d = o->at[r->next[j]];
   if (fmax(a.x, b.x) + least < fmin(c.x, d.x) || fmax(c.x, d.x) + least < fmin(a.x, b.x)) return false;
   if (fmax(a.y, b.y) + least < fmin(c.y, d.y) || fmax(c.y, d.y) + least < fmin(a.y, b.y)) return false;
   bool follows = r->next[i] == j, leads = r->next[j] == i;
-  if (follows || leads) /* neighbouring edges touch if one turns back along the other */
+  if (follows || leads) /* neighbouring edges touch if they have opposite directions, so that one lies on the other */
     return (follows && (distance(d, a, b) <= least || distance(a, c, d) <= least)) ||
            (leads && (distance(c, a, b) <= least || distance(b, c, d) <= least));
   if (distance(a, c, d) <= least || distance(b, c, d) <= least || distance(c, a, b) <= least ||
@@ -79,7 +80,8 @@ static bool crosses(const vs_skeleton_outline *o, const rings *r, long double le
   return false;
 }
 
-/* Returns true if loop l runs clockwise although it is no hole, or counter-clockwise although it is one. */
+/* Returns true if loop l has the wrong direction: clockwise although it is no hole, or counter-clockwise although it is
+ * a hole. */
 static bool backwards(const vs_skeleton_outline *o, const rings *r, uint32_t l) {
   size_t first = 0;
   while (r->loop[first] != l) first++;
@@ -103,8 +105,8 @@ static long double extent(const vs_skeleton_outline *o, size_t n) {
   return n ? hypotl((long double)x[1] - x[0], (long double)y[1] - y[0]) : 0;
 }
 
-/* Makes the moving lines and the start nodes of the outline's edges. next[i] becomes the edge after edge i. All edges
- * then have the inside on the left. edge_of[i]: index in the outline of the edge of line i. */
+/* Makes a moving line and a start node for each edge of the outline, with the inside on its left. next[i]: receives the
+ * edge after edge i. edge_of[i]: receives the index in the outline of the edge of line i. */
 static bool start_wave(const vs_skeleton_outline *o, const rings *r, vs_wave *w, uint32_t *next, uint32_t *edge_of) {
   size_t n = r->count;
   if (!VS_GROW(w->line, w->line_room, n) || !VS_GROW(w->node, w->node_room, n)) return false;
@@ -136,14 +138,14 @@ static int compare_halves(const void *p, const void *q) {
   return a->to < b->to ? -1 : a->to > b->to;
 }
 
-/* Returns the direction of half-edge h in the plane of its face: x along the face's line, y upwards. */
+/* Returns the direction of half-edge h in the plane of its face: x is along the line of the face's edge, y upwards. */
 static vs_wave_point direction(const vs_wave *w, const vs_wave_half *h) {
   const vs_wave_node *a = &w->node[h->from], *b = &w->node[h->to];
   return (vs_wave_point){ vs_wave_dot(w->line[h->line].along, vs_wave_sub(b->at, a->at)), b->time - a->time };
 }
 
-/* Returns the half-edge that follows half-edge h around its face, among the half-edges [first, end), or end if there is
- * none. */
+/* Returns the half-edge that follows half-edge h around its face. Searches among the half-edges from index first to end
+ * - 1; returns end if there is none. */
 static size_t follower(const vs_wave *w, size_t h, size_t first, size_t end, const bool *used) {
   size_t found = end;
   long double least = INFINITY;
@@ -155,15 +157,16 @@ static size_t follower(const vs_wave *w, size_t h, size_t first, size_t end, con
   return found;
 }
 
-/* Returns true if the skeleton's node lies in the plane of the roof face that belongs to the line. */
+/* Returns true if the skeleton's node lies in the plane of the roof face of a moving line. line, node: their
+ * numbers. */
 static bool in_plane(const vs_wave *w, uint32_t line, uint32_t node, long double tolerance) {
   const vs_wave_line *l = &w->line[line];
   const vs_wave_node *n = &w->node[node];
   return fabsl(vs_wave_dot(l->normal, n->at) - l->offset - l->speed * n->time) <= tolerance;
 }
 
-/* Adds the face whose border begins with half-edge h. Fails if the border does not close, leaves its plane or encloses
- * a hole. */
+/* Adds the face whose border begins with half-edge h. range: the half-edges of the face's line. Fails if the border
+ * does not close, leaves its plane or encloses a hole. */
 static vs_skeleton_outcome add_face(const vs_wave *w, size_t h, const size_t range[2], bool *used, vs_skeleton *s) {
   vs_skeleton_face face = { .first = s->corner_count };
   long double tolerance = 1e4L * w->least, area = 0, reach = 0;

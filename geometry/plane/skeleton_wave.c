@@ -14,8 +14,8 @@
 #define STILL 1e-14L    /* speed that counts as 0, as a fraction of the other speeds */
 #define NONE UINT32_MAX
 
-/* A part of a segment of the front between two places. line: number of its moving line; from, to: places at its ends;
- * link: the piece that continues it. */
+/* A part of a segment of the front between two places (positions of vertices). line: number of its moving line; from,
+ * to: places at its ends; link: the piece that continues it. */
 typedef struct { uint32_t segment, line, from, to, link; bool first, gone, merged, taken, stepped; } piece;
 typedef struct { long double along; uint32_t place; } cut;
 
@@ -31,7 +31,7 @@ typedef struct vs_wave_work {
   uint32_t *place, *node, *first;
   bool *touched;
   size_t rooms[5], start_room;
-  uint32_t *start; /* start[p]: segment of the next front that begins with piece p */
+  uint32_t *start; /* start[p]: segment of the next front that begins with piece p of the present front */
 } work;
 
 void vs_wave_free(vs_wave *w) {
@@ -65,7 +65,8 @@ static bool parallel(const vs_wave_line *a, const vs_wave_line *b) {
   return fabsl(vs_wave_cross(a->normal, b->normal)) < PARALLEL;
 }
 
-/* Sets the way on which the vertex between two lines moves. The vertex is at p now. */
+/* Sets the straight way (position at any time) of the vertex between the moving lines `in` and `out`. The vertex is at
+ * p now. */
 static void set_way(const vs_wave *w, uint32_t in, uint32_t out, vs_wave_point p, vs_wave_segment *s) {
   const vs_wave_line *a = &w->line[in], *b = &w->line[out];
   long double d = vs_wave_cross(a->normal, b->normal);
@@ -82,7 +83,7 @@ static void set_way(const vs_wave *w, uint32_t in, uint32_t out, vs_wave_point p
 
 /* ---- the time of the next event ---- */
 
-/* Returns the time until the segment s has shrunk to no length, or infinity. */
+/* Returns the time until segment s has shrunk to a point; infinity if it does not shrink. */
 static long double until_short(const vs_wave *w, const vs_wave_segment *s) {
   const vs_wave_segment *n = &w->segment[s->next];
   vs_wave_point d = w->line[s->line].along;
@@ -91,8 +92,8 @@ static long double until_short(const vs_wave *w, const vs_wave_segment *s) {
   return fmaxl(0, vs_wave_dot(d, vs_wave_sub(position(n, w->time), position(s, w->time))) / -rate);
 }
 
-/* Returns the time until the vertex at the start of v reaches the segment s, or infinity. Times above `best` need not
- * be exact. */
+/* Returns the time until the vertex at the start of segment v reaches segment s, or infinity. If the time is above
+ * `best`, it may be inexact. */
 static long double until_met(const vs_wave *w, const vs_wave_segment *v, const vs_wave_segment *s, long double best) {
   const vs_wave_line *l = &w->line[s->line];
   long double rate = vs_wave_dot(l->normal, v->way) - l->speed;
@@ -120,7 +121,7 @@ static long double until_event(const vs_wave *w) {
   return best;
 }
 
-/* ---- the front made anew ---- */
+/* ---- the front is made anew after an event ---- */
 
 /* Returns the skeleton's node at a place (point where parts of the front meet). Makes it when it is first needed.
  * Returns NONE when memory is out. */
@@ -166,7 +167,7 @@ static bool add_piece(work *k, piece p) {
   return true;
 }
 
-/* Cuts segment i of the front at the places on it. */
+/* Cuts segment i of the front into pieces at the places that lie on it. */
 static bool cut_segment(vs_wave *w, uint32_t i) {
   work *k = w->work;
   const vs_wave_segment *s = &w->segment[i];
@@ -194,7 +195,8 @@ static bool cut_segment(vs_wave *w, uint32_t i) {
   return add_piece(k, p);
 }
 
-/* Removes pairs of pieces with opposite directions between two places, and records them as ridges between faces. */
+/* Removes pairs of pieces that lie between the same two places with opposite directions, and records each pair as a
+ * ridge between two faces. */
 static bool cancel(vs_wave *w) {
   work *k = w->work;
   for (size_t i = 0; i < k->piece_count; i++) {
@@ -213,7 +215,8 @@ static bool cancel(vs_wave *w) {
   return true;
 }
 
-/* Records the ways of the vertices that end at touched places, where several vertices are. */
+/* Ends the ways of the vertices at touched places (positions with several vertices), and records them as edges of
+ * faces. */
 static bool end_ways(vs_wave *w) {
   work *k = w->work;
   for (uint32_t i = 0; i < w->count; i++) {
@@ -257,8 +260,8 @@ static bool add_segment(work *k, vs_wave_segment s, uint32_t *index) {
   return true;
 }
 
-/* Adds a line across two lines of one direction and different speeds, for the vertical step between their faces. Sets
- * *line to its number. */
+/* Adds a line across two parallel lines, whose edges have different speeds: the vertical step between their faces.
+ * *line: receives the number of the new line. */
 static bool add_step(vs_wave *w, uint32_t in, uint32_t out, vs_wave_point at, uint32_t *line) {
   if (w->line_count >= NONE || !VS_GROW(w->line, w->line_room, w->line_count + 1)) return false;
   vs_wave_point n = w->line[in].normal;
@@ -275,7 +278,7 @@ static bool needs_step(const vs_wave_line *a, const vs_wave_line *b) {
          fabsl(a->speed - b->speed) > PARALLEL * fmaxl(a->speed, b->speed);
 }
 
-/* Starts the segments of the next front that begin with the vertex between the pieces in and out. */
+/* Makes the segments of the next front that begin at the vertex between the pieces `in` and number `out_index`. */
 static bool add_vertex(vs_wave *w, const piece *in, uint32_t out_index) {
   work *k = w->work;
   const piece *out = &k->piece[out_index];
@@ -290,7 +293,7 @@ static bool add_vertex(vs_wave *w, const piece *in, uint32_t out_index) {
       set_way(w, in->line, step, k->at[out->from], &across);
       set_way(w, step, out->line, k->at[out->from], &s);
       if (!add_segment(k, across, &made)) return false;
-      k->fresh[made].next = made + 1; /* the segment of piece `out` follows directly */
+      k->fresh[made].next = made + 1; /* the segment of the next piece follows the new segment directly */
       k->piece[out_index].stepped = true;
     } else set_way(w, in->line, out->line, k->at[out->from], &s);
   }
@@ -313,7 +316,7 @@ static bool make_front(vs_wave *w) {
     end = k->piece[end].link;
     k->fresh[k->start[i]].next = k->start[end] - (k->piece[end].stepped ? 1 : 0); /* if a vertical step precedes the
                                                                                    * segment of the next piece, the step
-                                                                                   * comes first */
+                                                                                   * is the next segment */
   }
   for (uint32_t i = 0; i < k->fresh_count; i++) k->fresh[k->fresh[i].next].last = i;
   vs_wave_segment *segment = w->segment;
@@ -351,8 +354,8 @@ static bool begin(vs_wave *w, const uint32_t *next) {
 }
 
 vs_skeleton_outcome vs_wave_run(vs_wave *w, const uint32_t *next, vs_long_work going) {
-  size_t most = 40 * w->line_count + 100; /* most: limit on the number of events; each event removes or adds an edge of
-                                           * the front */
+  size_t most = 40 * w->line_count + 100; /* most: limit on the number of events, so that the loop ends; each event
+                                           * removes or adds an edge of the front */
   if (!begin(w, next)) return VS_SKELETON_MEMORY;
   for (size_t events = 0; w->count; events++) {
     long double wait = until_event(w);

@@ -1,4 +1,4 @@
-/* Declares, for skeleton.c alone, the wave front of a straight skeleton: the outline while its edges move inwards. */
+/* Declares the wave front of a straight skeleton, for skeleton.c alone: the outline while its edges move inwards. */
 #ifndef VS_GEOMETRY_PLANE_SKELETON_WAVE_H
 #define VS_GEOMETRY_PLANE_SKELETON_WAVE_H
 
@@ -6,16 +6,19 @@
 
 typedef struct { long double x, y; } vs_wave_point;
 
-/* A line that moves to its left: normal * p = offset + speed * time. along and normal are unit vectors. */
+/* A line that moves to its left. At each time, its points p fulfil normal . p = offset + speed * time. along, normal:
+ * unit vectors. */
 typedef struct {
   vs_wave_point along, normal;
   long double offset, speed;
 } vs_wave_line;
 
-/* A segment of the front. Its start is a vertex that moves on a straight way: its position is at + time * way. */
+/* A segment of the front. Its start is a vertex whose position at each time is at + time * way. Its end is the start of
+ * the next segment. */
 typedef struct {
-  uint32_t line, last, next; /* last, next: the neighbouring segments of the front */
-  uint32_t born;             /* node of the skeleton where the way of the vertex began */
+  uint32_t line, last, next; /* line: number of the segment's moving line; last, next: indices of the segments before
+                              * and after it */
+  uint32_t born;             /* node of the skeleton from which the vertex started */
   vs_wave_point at, way;
 } vs_wave_segment;
 
@@ -24,7 +27,7 @@ typedef struct {
   long double time;
 } vs_wave_node;
 
-/* A directed edge of the face of a line. The face is on its left. */
+/* A half-edge: an edge of the face that belongs to `line`, from node to node. The face is on its left. */
 typedef struct { uint32_t line, from, to; } vs_wave_half;
 
 typedef struct {
@@ -40,14 +43,15 @@ typedef struct {
   struct vs_wave_work *work;
 } vs_wave;
 
-/* Moves the front until it vanishes, and records the borders of all faces. For each edge i of the outline: line[i] is
- * its moving line, node[i] its start, next[i] the edge after it. */
+/* Moves the front until it vanishes, and records the borders of all faces. For each edge i of the outline, line[i] is
+ * its moving line, node[i] its start node, and next[i] the edge after it. */
 vs_skeleton_outcome vs_wave_run(vs_wave *w, const uint32_t *next, vs_long_work going);
 void vs_wave_free(vs_wave *w);
 
-bool vs_wave_half_add(vs_wave *w, uint32_t line, uint32_t from, uint32_t to); /* adds a half-edge of the face of a line,
-                                                                               * between two nodes; returns false when
-                                                                               * memory is out */
+bool vs_wave_half_add(vs_wave *w, uint32_t line, uint32_t from, uint32_t to); /* adds a half-edge between two nodes to
+                                                                               * the border of the face that belongs to
+                                                                               * `line`; returns false when memory is
+                                                                               * out */
 
 static inline long double vs_wave_dot(vs_wave_point a, vs_wave_point b) { return a.x * b.x + a.y * b.y; }
 static inline long double vs_wave_cross(vs_wave_point a, vs_wave_point b) { return a.x * b.y - a.y * b.x; }
@@ -55,8 +59,8 @@ static inline vs_wave_point vs_wave_sub(vs_wave_point a, vs_wave_point b) {
   return (vs_wave_point){ a.x - b.x, a.y - b.y };
 }
 
-/* Returns the angle on the left of a path that arrives in direction `in` and leaves in direction `out`, above 0 and up
- * to two pi. */
+/* Returns the angle, in radians, on the left side of a path that arrives in direction `in` and leaves in direction
+ * `out`: above 0, and at most two pi. */
 long double vs_wave_turn(vs_wave_point in, vs_wave_point out);
 
 #endif

@@ -1,5 +1,5 @@
 /* Cuts curves, regions and surfaces by a plane. The point where an edge crosses the plane is always computed from the
- * edge's kept end. Therefore both triangles at the edge get the same point. */
+ * end that is kept. Therefore both triangles at the edge get the same point. */
 #include "geometry/plane/slice.h"
 
 #include <stdlib.h>
@@ -32,8 +32,8 @@ bool vs_slice_polyline(const vs_polyline *p, vs_vec3 point, vs_vec3 normal,
   vs_bounds b = vs_bounds_empty();
   for (size_t i = 0; i < p->count; i++) vs_bounds_add(&b, p->at[i]);
   double nothing = 1e-13 * vs_bounds_diagonal(&b);
-  size_t outside = p->count; /* begins at a point on the removed side, so that no piece of a closed line extends across
-                              * its start */
+  size_t outside = p->count; /* for a closed line, begins at a point on the removed side, so that no piece continues
+                              * across the line's start */
   for (size_t i = p->count; i-- > 0;)
     if (slice_side(p->at[i], point, normal, nothing) < 0) outside = i;
   if (outside == p->count) return put(context, p);

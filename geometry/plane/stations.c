@@ -15,7 +15,8 @@ void vs_stations_close(vs_stations *s) {
 }
 
 static size_t span_count(const vs_stations *s) { return s->path.count - (s->path.closed ? 0 : 1); }
-/* Returns the sample at the end of span i (the curve between samples i and i + 1). i is below s->path.count. */
+/* Returns the sample at the end of span i, which is the curve between samples i and i + 1 (on a closed curve, the last
+ * span ends at the first sample). i is below s->path.count. */
 static const vs_path_point *span_end(const vs_stations *s, size_t i) {
   VS_ASSERT(i < s->path.count);
   return &s->path.at[i + 1 < s->path.count ? i + 1 : 0];
@@ -68,7 +69,8 @@ vs_station vs_station_at(const vs_stations *s, double distance) {
   if (turn <= 1e-9) {
     r.at = vs_v3_add(p->at, vs_v3_scale(chord, t));
     r.tangent = p->leaving;
-  } else { /* between two samples with different directions, computes the cubic curve that best approximates an arc */
+  } else { /* the directions of the two samples differ: computes the point on the cubic curve that best approximates an
+            * arc between them */
     double speed = vs_v3_length(chord) / (quarter * quarter), u = 1 - t;
     vs_vec3 a = vs_v3_scale(p->leaving, speed), b = vs_v3_scale(q->arriving, speed);
     r.at = vs_v3_add(vs_v3_add(vs_v3_scale(p->at, u * u * (1 + 2 * t)), vs_v3_scale(q->at, t * t * (3 - 2 * t))),

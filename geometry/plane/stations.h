@@ -9,16 +9,16 @@
  * of samples. */
 typedef struct {
   vs_path path;
-  double *along;   /* along[i]: arc length from the curve's start to sample i; the last element is the length of the
-                    * whole curve */
+  double *along;   /* along[i]: arc length from the curve's start to sample i; an extra last element is the length of
+                    * the whole curve */
   vs_vec3 *across; /* across[i]: first direction of the rotation-minimizing frame at sample i, perpendicular to
                     * path.at[i].leaving */
   double length;
 } vs_stations;
 
 typedef struct {
-  vs_vec3 at, tangent, across; /* at: the point; tangent: unit direction of the curve; across: unit vector of the frame,
-                                * perpendicular to the tangent */
+  vs_vec3 at, tangent, across; /* at: the point; tangent: unit direction of the curve there; across: first direction of
+                                * the rotation-minimizing frame, a unit vector perpendicular to the tangent */
   double curvature;            /* curvature of the curve at this point: 1 / radius; 0 on straight parts and at
                                 * corners */
 } vs_station;
@@ -27,8 +27,8 @@ typedef struct {
  * 0. */
 bool vs_stations_open(const vs_node *curve, const vs_fineness *f, vs_stations *out, vs_error *e);
 void vs_stations_close(vs_stations *s);
-/* Returns point, direction and frame at a distance from the start of the curve. The distance is limited to the range 0
- * to s->length. */
+/* Returns the point, direction and frame of the curve at the given distance from its start. The distance is limited to
+ * the range 0 to s->length. */
 vs_station vs_station_at(const vs_stations *s, double distance);
 
 #endif

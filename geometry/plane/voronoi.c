@@ -30,8 +30,8 @@ static int compare_along(const void *p, const void *q) { /* orders points for qs
   return a->z < b->z ? -1 : a->z > b->z;
 }
 
-/* Links each point to the next point along their common line, if all points lie on one line and so have no
- * triangles. */
+/* Called if all points lie on one line, so that there are no triangles. Links each point to the next point along this
+ * line. */
 static bool links_along(const vs_vec2 *points, size_t n, link *links, size_t *count) {
   vs_vec3 *sorted = NULL;
   if (!VS_FRESH(sorted, n + 1)) return false;
@@ -49,7 +49,7 @@ static bool links_along(const vs_vec2 *points, size_t n, link *links, size_t *co
   return true;
 }
 
-/* Reduces a convex polygon of n corners to the part that is nearer to p than to q. Returns its number of corners; out
+/* Cuts a convex polygon of n corners: keeps the part that is nearer to p than to q. Returns its number of corners; out
  * has room for n + 1. p and q differ. */
 static size_t cut(const vs_vec2 *at, size_t n, vs_vec2 p, vs_vec2 q, vs_vec2 *out) {
   double nx = q.x - p.x, ny = q.y - p.y, mx = (p.x + q.x) / 2, my = (p.y + q.y) / 2;
@@ -72,8 +72,8 @@ bool vs_voronoi_make(const vs_vec2 *points, size_t n, const vs_vec2 box[2], vs_v
   size_t triangle_count = 0, link_count = 0;
   link *links = NULL;
   vs_vec2 *cell = NULL, *next = NULL;
-  uint8_t *known = NULL; /* known[i]: 1 if point i has a neighbour; a point without neighbours has the position of an
-                          * earlier point */
+  uint8_t *known = NULL; /* known[i]: 1 if point i has a neighbour, or is the only position; a point without one repeats
+                          * the position of an earlier point */
   *out = (vs_voronoi){ 0 };
   if (n > 1 && !vs_points_delaunay(points, n, &triangles, &triangle_count, e)) return false;
   size_t most = 6 * triangle_count + 2 * n;

@@ -29,8 +29,7 @@ static bool box_measure(const vs_node *n, bool area, vs_measure *m, vs_error *e)
 
 static bool box_holds(const vs_node *n, vs_vec3 p, vs_vec3 q, double height) {
   (void)n, (void)p, (void)q, (void)height;
-  return true; /* The bounds of a box are the box itself. The caller has checked that p lies within them, so p is
-                * inside. */
+  return true; /* The bounds of a box are the box itself. The caller has found p within the bounds, so p is inside. */
 }
 
 static vs_node *box_moved(vs_store *s, const vs_node *n, const vs_affine *a, const vs_shape_map *map, bool *fits) {

@@ -14,15 +14,15 @@ static bool capsule_bounds(const vs_node *n, const vs_affine *a, vs_bounds *b, v
   return true;
 }
 
-/* Appends `rows` > 0 rings of corners for each of the two hemispherical caps, in order from the pole at the base to the
- * pole at the top. */
+/* Appends the rings of corners of the two hemispherical caps, in order from the pole at the base to the pole at the
+ * top. rows: number of rings in each cap, above 0. */
 static bool capsule_rings(const struct vs_capsule *x, const vs_affine *frame, int turn, int rows, vs_mesh *out) {
   vs_vec3 up = vs_affine_vector(frame, vs_v3(0, 0, x->radius));
   bool ok = true;
   VS_ASSERT(rows > 0);
   for (int row = 1; ok && row <= 2 * rows; row++) {
     bool below = row <= rows;
-    double s, c; /* sine and cosine of the angle, at the cap's centre, from the pole to the ring */
+    double s, c; /* sine and cosine of the angle at the cap's centre between the pole and the ring */
     vs_turn_sincos(below ? row : 2 * rows + 1 - row, 4 * rows, &s, &c);
     vs_vec3 center = vs_v3_add(below ? x->base : x->top, vs_v3_scale(up, below ? -c : c));
     ok = vs_solid_ring(out, frame, center, x->radius * s, turn);
@@ -83,8 +83,8 @@ static vs_node *capsule_grown(vs_store *s, const vs_node *n, double by) {
 
 static vs_node *capsule_parts(vs_store *s, const vs_node *n, const vs_origin *origin, bool *fits) {
   const struct vs_capsule *x = VS_AS(capsule, n);
-  *fits = !x->segments; /* a capsule whose number of facets is set is not divided into other shapes, but stays one
-                         * mesh */
+  *fits = !x->segments; /* a capsule with a given number of facets stays one mesh; otherwise it is divided into a
+                         * cylinder and spheres */
   if (!*fits) return NULL;
   struct vs_cylinder wall = { .base = x->base, .top = x->top, .radius = x->radius };
   struct vs_sphere low = { .center = x->base, .radius = x->radius }, high = { .center = x->top, .radius = x->radius };

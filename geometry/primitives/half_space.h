@@ -4,8 +4,8 @@
 
 #include "model/mesh.h"
 
-/* Sets *b to the bounds of a half-space, given by a point and the normal of its plane, after the map a. The bounds are
- * infinite, except on one side if the mapped plane is perpendicular to an axis. */
+/* Sets *b to the bounds of a half-space mapped by a. The half-space is given by a point and the normal of its plane.
+ * The bounds are infinite; only if the mapped plane is perpendicular to an axis, they end at this plane. */
 void vs_half_space_bounds(vs_bounds *b, const vs_affine *a, vs_vec3 point, vs_vec3 normal);
 /* Appends the triangles of a finite part of the half-space. The part contains the intersection of the half-space with
  * the box `reach`, and one of its faces lies exactly in the plane. Appends nothing if `reach` is entirely outside.

@@ -1,8 +1,8 @@
 /* Implements height fields: a grid of heights over a rectangle, solid down to a floor.
  *
- * Sample (i, j), column i of row j, is point j * columns + i. No height is below the floor. If all heights are above
+ * Sample (i, j), in column i of row j, is point j * columns + i. No height is below the floor. If all heights are above
  * the floor, the floor is a fan of triangles around its middle. Otherwise the floor has as many triangles as the top,
- * and a sample on the floor has one vertex for both. Faces of top and floor share this vertex, so the mesh closes. */
+ * and a sample on the floor has one vertex, which faces of top and floor share, so that the mesh closes. */
 #include "geometry/primitives/height_field.h"
 
 #include <stdlib.h>
@@ -11,8 +11,8 @@
 #include "geometry/measure/measure.h"
 #include "model/store/array.h"
 
-/* Returns true if a triangle of the top uses sample i. This is so if the sample, or a neighbour along a side of a
- * triangle, is above the floor. i is an index of the samples. */
+/* Returns true if the top has a triangle with sample i. It has one if the sample, or a neighbour along a side of a
+ * triangle, is above the floor. i: index of the sample. */
 static bool heights_used(const struct vs_height_field *h, uint32_t i) {
   static const int to[][2] = {
     { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { -1, 0 }, { -1, -1 }, { 0, -1 }
@@ -30,7 +30,7 @@ typedef struct {
   const struct vs_height_field *h;
   vs_mesh *out;
   uint32_t columns, rows;
-  uint32_t *top, *foot; /* top[i]: vertex of sample i; foot[i]: vertex below sample i on the floor; UINT32_MAX: the
+  uint32_t *top, *foot; /* top[i]: vertex at sample i; foot[i]: vertex on the floor below sample i; UINT32_MAX if the
                          * vertex is not made yet */
 } vs_heights;
 
@@ -44,8 +44,8 @@ static bool heights_foot(vs_heights *g, uint32_t i) {
   return true;
 }
 
-/* Adds the wall below the border of the grid from sample a to its neighbour b. The outside is on the right, seen from a
- * to b. */
+/* Adds the wall below the grid's border between sample a and its neighbour b. The outside is on the right, on the way
+ * from a to b. */
 static bool heights_wall(vs_heights *g, uint32_t a, uint32_t b) {
   bool ok = heights_foot(g, a) && heights_foot(g, b);
   if (ok && !heights_on_floor(g, b)) ok = vs_mesh_add_triangle(g->out, g->foot[a], g->foot[b], g->top[b]);
@@ -85,8 +85,8 @@ bool vs_height_field_mesh(vs_mesh *out, const struct vs_height_field *h) {
                             vs_v3((h->points->at[0].x + h->points->at[count - 1].x) / 2,
                                   (h->points->at[0].y + h->points->at[count - 1].y) / 2, h->low),
                             &middle);
-  for (size_t k = 0; ok && k < border; k++) { /* goes around the border of the grid, counter-clockwise as seen from
-                                               * above */
+  for (size_t k = 0; ok && k < border; k++) { /* goes around the grid's border, counter-clockwise as seen from above,
+                                               * and adds the walls */
     uint32_t at[2];
     for (size_t e = 0; e < 2; e++) {
       size_t s = (k + e) % border, across = columns - 1, up = rows - 1;
@@ -138,7 +138,7 @@ static bool height_field_measure(const vs_node *n, bool area, vs_measure *m, vs_
   vs_mesh mesh = { 0 };
   (void)area;
   bool ok = vs_height_field_mesh(&mesh, VS_AS(height_field, n)) || vs_error_memory(e, NULL);
-  if (ok) vs_mesh_measure(&mesh, m); /* measures the mesh of the height field, which has exactly its form */
+  if (ok) vs_mesh_measure(&mesh, m); /* measures the mesh of the height field, which has exactly the same shape */
   vs_mesh_free(&mesh);
   return ok;
 }

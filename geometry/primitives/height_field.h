@@ -1,4 +1,4 @@
-/* Declares, for use in geometry/ alone, the triangles of height fields. */
+/* Declares the triangles of height fields, for use in geometry/ alone. */
 #ifndef VS_GEOMETRY_PRIMITIVES_HEIGHT_FIELD_H
 #define VS_GEOMETRY_PRIMITIVES_HEIGHT_FIELD_H
 
@@ -6,8 +6,8 @@
 #include "model/node.h"
 
 /* Appends the mesh of height field h: two triangles for each cell of the grid, walls, and a floor at the height h->low.
- * Each cell is divided along the diagonal from its least corner to its greatest. Triangles with three samples on the
- * floor are omitted. Returns false when memory is out. */
+ * Each cell is divided along the diagonal from its corner with the least indices to the opposite one. Triangles whose
+ * three samples are on the floor are omitted. Returns false when memory is out. */
 bool vs_height_field_mesh(vs_mesh *out, const struct vs_height_field *h);
 
 #endif

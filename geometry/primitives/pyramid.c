@@ -29,8 +29,9 @@ static bool pyramid_measure(const vs_node *n, bool area, vs_measure *m, vs_error
   (void)area, (void)e;
   vs_vec3 axis = vs_v3_sub(x->top, x->base);
   double h = vs_v3_length(axis), sides = x->sides, r = x->base_radius, s = x->top_radius, step = pi / sides;
-  double polygon = sides / 2 * sin(2 * step), weight = r * r + r * s + s * s; /* area of the regular polygon with as
-                                                                               * many sides and circumradius 1 */
+  double polygon = sides / 2 * sin(2 * step), weight = r * r + r * s + s * s; /* polygon: area of the regular polygon
+                                                                               * with this number of sides and
+                                                                               * circumradius 1 */
   m->volume = polygon * h * weight / 3;
   m->area = polygon * (r * r + s * s) + sides * sin(step) * (r + s) * hypot(h, (r - s) * cos(step));
   m->centroid =

@@ -22,7 +22,7 @@ bool vs_frustum_holds(vs_vec3 q, double height, double base_radius, double top_r
   return q.x * q.x + q.y * q.y <= r * r;
 }
 
-/* ---- the cylinder, the cone and the cut cone, all as cut cones ---- */
+/* ---- the cylinder, the cone and the cut cone; all three are treated as cut cones ---- */
 
 typedef struct {
   vs_vec3 base, top;
@@ -30,7 +30,7 @@ typedef struct {
   int segments;
 } frustum;
 
-/* Returns the axis and radii of n, a cylinder, cone or cut cone, as those of a cut cone. */
+/* Returns the cut cone that equals n, which is a cylinder, cone or cut cone. */
 static frustum frustum_of(const vs_node *n) {
   VS_ASSERT(n->kind == VS_CYLINDER || n->kind == VS_CONE || n->kind == VS_CUT_CONE);
   if (n->kind == VS_CYLINDER) {

@@ -1,4 +1,4 @@
-/* Declares, for use in geometry/ alone, formulas that several round shapes share. */
+/* Declares formulas that several round shapes share, for use in geometry/ alone. */
 #ifndef VS_GEOMETRY_PRIMITIVES_ROUND_FORMULAS_H
 #define VS_GEOMETRY_PRIMITIVES_ROUND_FORMULAS_H
 
@@ -7,11 +7,12 @@
 
 /* Sets volume, area and centroid of a cut cone with the radius r at the base and s at the top; a radius may be 0. */
 void vs_frustum_measure(vs_measure *m, vs_vec3 base, double r, vs_vec3 top, double s);
-/* Returns true if q is in the cut cone from z = 0 (base) to z = height. q is in the frame of the cone's axis. */
+/* Returns true if q lies in the cut cone between z = 0 (its base) and z = height. The coordinates of q are those of a
+ * frame with the axis as Z. */
 bool vs_frustum_holds(vs_vec3 q, double height, double base_radius, double top_radius);
 
-/* The functions of vs_shape for the cylinder, cone and cut cone. All three are cut cones, with equal radii or a radius
- * of 0. */
+/* The functions of vs_shape that the cylinder, the cone and the cut cone share. All three are cut cones, with equal
+ * radii or a radius of 0. */
 bool vs_round_bounds(const vs_node *n, const vs_affine *a, vs_bounds *b, vs_error *e);
 bool vs_round_triangles(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e);
 bool vs_round_measure(const vs_node *n, bool area, vs_measure *m, vs_error *e);

@@ -1,4 +1,4 @@
-/* Determines which properties of a shape, such as circles or right angles, an affine map preserves, and maps arrays of
+/* Determines which properties of a shape, such as circles or right angles, survive an affine map, and maps arrays of
  * points. */
 #include "geometry/primitives/shape_map.h"
 

@@ -50,7 +50,7 @@ bool vs_solid_fits(int around, int across, const char *what, vs_error *e) {
 
 /* ---- rings and bands ---- */
 
-/* Appends n >= 3 corners of an ellipse with half axes along X and Y of the frame. */
+/* Appends n >= 3 corners of an ellipse; its half axes lie along X and Y of the frame. */
 static bool solid_oval(vs_mesh *out, const vs_affine *frame, vs_oval oval, int n) {
   bool ok = true;
   VS_ASSERT(n >= 3);
@@ -88,9 +88,9 @@ bool vs_solid_fan(vs_mesh *out, uint32_t ring, uint32_t n, uint32_t tip, bool ba
   return ok;
 }
 
-/* Closes a ring of n corners with a disc. If `hub`, the disc is a fan of triangles about the centre. Otherwise its
- * triangles use only the ring's corners, and cut off every second corner repeatedly. back: true if the disc faces
- * against the axis. */
+/* Fills a ring of n corners with triangles. If `hub` is true, they all have the centre as a corner. Otherwise they
+ * have only the ring's corners, and cut off every second corner repeatedly. back: true if the disc faces against the
+ * axis. */
 static bool solid_disc(vs_mesh *out, vs_vec3 center, uint32_t ring, uint32_t n, bool back, bool hub) {
   uint32_t tip;
   if (hub) return vs_mesh_add_vertex(out, center, &tip) && vs_solid_fan(out, ring, n, tip, back);
@@ -135,7 +135,7 @@ bool vs_solid_sphere(vs_mesh *out, vs_vec3 center, double radius, int n) {
   bool ok = vs_mesh_reserve(out, out->vertex_count + (size_t)n * (size_t)(rings - 1) + 2,
                             out->triangle_count + 2 * (size_t)n * (size_t)(rings - 1));
   VS_ASSERT(n >= 3);
-  for (int j = 1; ok && j < rings; j++) { /* makes the rings of corners from the south pole upwards */
+  for (int j = 1; ok && j < rings; j++) { /* makes the rings of corners, beginning near the south pole */
     double s, c;
     vs_turn_sincos(j, 2 * rings, &s, &c);
     ok = vs_solid_ring(out, &level, vs_v3(center.x, center.y, center.z - radius * c), radius * s, n);
@@ -148,8 +148,8 @@ bool vs_solid_sphere(vs_mesh *out, vs_vec3 center, double radius, int n) {
          vs_solid_fan(out, first + (uint32_t)(rings - 2) * around, around, north, false);
 }
 
-/* A tube with a larger radius than its path would intersect itself on the axis. In this case only the outer surface is
- * built, from pole to pole. around and tube_turn are at least 3. */
+/* If the tube's radius is larger than the path's, the surface would intersect itself on the axis. Then only the outer
+ * surface is made, from pole to pole. around and tube_turn are at least 3. */
 bool vs_solid_torus(vs_mesh *out, vs_vec3 center, double radius, double tube, int around, int tube_turn) {
   uint32_t first = (uint32_t)out->vertex_count, n = (uint32_t)around, south, north;
   vs_affine level = vs_affine_identity();
@@ -192,7 +192,7 @@ bool vs_solid_polyface(vs_mesh *out, const vs_points *points, const vs_faces *fa
   return ok;
 }
 
-/* Appends a polyface mesh, in which equal points become one vertex. */
+/* Appends a polyface mesh. Points with equal positions become one vertex. */
 bool vs_solid_polyface_merged(vs_mesh *out, const vs_points *points, const vs_faces *faces, uint32_t *place) {
   const uint32_t *starts = vs_faces_starts(faces), *corners = vs_faces_corners(faces);
   vs_vec2 *flat = vs_fresh(faces->corner_count, sizeof *flat);
@@ -203,7 +203,8 @@ bool vs_solid_polyface_merged(vs_mesh *out, const vs_points *points, const vs_fa
   bool ok = flat && ring && vs_mesh_reserve(out, out->vertex_count + points->count, out->triangle_count + triangles);
   uint32_t next = base;
   for (uint32_t i = 0; ok && i < points->count;
-       i++) { /* place[i] is first the index of the earliest point equal to point i, and later the vertex of point i */
+       i++) { /* place[i] is first the index of the earliest point with the position of point i, and later the vertex of
+               * point i */
     if (place[i] == i) {
       ok = vs_mesh_add_vertex(out, points->at[i], NULL);
       place[i] = next++;
@@ -212,7 +213,8 @@ bool vs_solid_polyface_merged(vs_mesh *out, const vs_points *points, const vs_fa
   size_t tagged = out->triangle_count;
   for (uint32_t f = 0; ok && f <= faces->count; f++) {
     for (; out->tags && tagged < out->triangle_count; tagged++) out->tags[tagged] = f - 1; /* sets the tags of the
-                                                                                            * triangles of face f - 1 */
+                                                                                            * previous face's triangles
+                                                                                            * to its number, f - 1 */
     if (f == faces->count) break;
     size_t n = 0;
     vs_vec3 normal = vs_v3(0, 0, 0);
@@ -232,7 +234,7 @@ bool vs_solid_polyface_merged(vs_mesh *out, const vs_points *points, const vs_fa
       normal = vs_v3_add(
           normal, vs_v3_cross(vs_v3_sub(out->vertices[ring[i]], o), vs_v3_sub(out->vertices[ring[(i + 1) % n]], o)));
     if (n == 4) { /* divides a quadrilateral along the diagonal from its first corner, or along the other diagonal if it
-                   * is concave at the second or fourth corner */
+                   * is concave at its second or fourth corner */
       vs_vec3 a = vs_v3_sub(out->vertices[ring[1]], o), b = vs_v3_sub(out->vertices[ring[2]], o),
               c = vs_v3_sub(out->vertices[ring[3]], o);
       bool convex = vs_v3_dot(vs_v3_cross(a, b), normal) > 0 && vs_v3_dot(vs_v3_cross(b, c), normal) > 0;

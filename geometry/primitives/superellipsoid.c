@@ -22,15 +22,15 @@ static vs_oval_point oval_at(double p, double t) {
   return (vs_oval_point){ u, t * u };
 }
 
-/* Returns a number that grows from 0 to 1 with t: the mean of the normal's rotation and the angle of t, each as a
- * fraction of its range. */
+/* Returns a number that grows from 0 to 1 as t does: the mean of the angle of t and the rotation of the normal, each as
+ * a fraction of its range. */
 static double oval_share(double p, double t) {
   double angle = atan(t) / quarter_pi, turned = p == 1 ? angle : atan(pow(t, fabs(p - 1))) / quarter_pi;
   return (angle + turned) / 2;
 }
 
-/* Computes the 2 * half + 1 points of a quadrant of the curve, from (1, 0) to (0, 1). They are exact mirror images
- * about the diagonal. half is above 0. */
+/* Computes the 2 * half + 1 points of a quadrant of the curve, from (1, 0) to (0, 1). The two halves of the quadrant
+ * are exact mirror images. half is above 0. */
 static void oval_quarter(double p, int half, vs_oval_point *at) {
   VS_ASSERT(half > 0);
   for (int i = 0; i <= half; i++) {
@@ -45,9 +45,9 @@ static void oval_quarter(double p, int half, vs_oval_point *at) {
   }
 }
 
-/* Returns the number of facets of a full turn of the curve. It is a multiple of eight, so that there are corners on
- * axes and diagonals. Unless the curve is a circle, its chords may be three times as far from the arc as those of a
- * circle with as many facets. */
+/* Returns the number of facets of a full turn of the curve: a multiple of eight, so that there are corners on the axes
+ * and diagonals. Unless the curve is a circle, a chord may be three times as far from its arc as for a circle with as
+ * many facets. */
 static int oval_turn(const struct vs_superellipsoid *s, double exponent, const vs_fineness *f) {
   int n = vs_fineness_turn(f, s->size, s->segments);
   if (exponent != 1 && s->segments == 0 && f->segments <= 0) n = 7 * n / 4;
@@ -67,7 +67,7 @@ static bool solid_mesh(vs_mesh *out, const struct vs_superellipsoid *s, const vs
     oval_quarter(2 / s->e, around / 8, section);
     oval_quarter(2 / s->n, profile / 8, up);
   }
-  for (int j = 1 - half; ok && j < half; j++) { /* makes the rings of corners from the south pole upwards */
+  for (int j = 1 - half; ok && j < half; j++) { /* makes the rings of corners, beginning near the south pole */
     double r = s->size * up[abs(j)].u, z = (j < 0 ? -s->size : s->size) * up[abs(j)].v;
     for (int i = 0; ok && i < around; i++) {
       vs_oval_point p = section[i % (around / 4)];
@@ -82,8 +82,8 @@ static bool solid_mesh(vs_mesh *out, const struct vs_superellipsoid *s, const vs
   for (uint32_t i = 0; ok && i < n; i++) {
     uint32_t k = i + 1 == n ? 0 : i + 1, top = base + (rings - 1) * n;
     ok = vs_mesh_add_triangle(out, base + k, base + i, south) && vs_mesh_add_triangle(out, top + i, top + k, north);
-    bool rising = i / (n / 8) % 2; /* rising: direction of the quadrilaterals' diagonals, which are mirror images,
-                                    * too */
+    bool rising = i / (n / 8) % 2; /* rising: which of its two diagonals divides a quadrilateral; mirrored
+                                    * quadrilaterals have mirrored diagonals */
     for (uint32_t j = 0; ok && j + 1 < rings; j++) {
       uint32_t a = base + j * n + i, b = base + j * n + k, c = b + n, d = a + n;
       ok = rising ? vs_mesh_add_triangle(out, a, b, d) && vs_mesh_add_triangle(out, b, c, d)
@@ -109,8 +109,8 @@ static bool solid_holds(const struct vs_superellipsoid *s, vs_vec3 p) {
   return oval_norm(2 / s->n, oval_norm(2 / s->e, fabs(p.x), fabs(p.y)), fabs(p.z)) <= s->size;
 }
 
-/* Returns the greatest scalar product of d with a point of the solid, which gives its bounds. dual_p and dual_q are the
- * exponents of the dual norms. A concave curve (p < 1) extends as far as its points on the axes. */
+/* Returns the greatest scalar product of d with a point of the solid, from which its bounds follow. dual_p, dual_q:
+ * exponents of the dual norms. A concave curve (p < 1) extends only as far as its points on the axes. */
 static double solid_reach(const struct vs_superellipsoid *s, vs_vec3 d) {
   double p = 2 / s->e, q = 2 / s->n, dual_p = p > 1 ? p / (p - 1) : INFINITY, dual_q = q > 1 ? q / (q - 1) : INFINITY;
   return s->size * oval_norm(dual_q, oval_norm(dual_p, fabs(d.x), fabs(d.y)), fabs(d.z));
@@ -189,9 +189,9 @@ static bool superellipsoid_holds(const vs_node *n, vs_vec3 p, vs_vec3 q, double 
 static vs_node *superellipsoid_moved(vs_store *s, const vs_node *n, const vs_affine *a, const vs_shape_map *map,
                                      bool *fits) {
   VS_MOVED(superellipsoid,
-           map->upright && a->m[0][3] == 0 && a->m[1][3] == 0 && a->m[2][3] == 0); /* the node's centre is always the
-                                                                                    * origin, so the map must not move
-                                                                                    * the origin */
+           map->upright && a->m[0][3] == 0 && a->m[1][3] == 0 && a->m[2][3] == 0); /* the centre of the node is always
+                                                                                    * the origin, so only a map that
+                                                                                    * keeps the origin fits */
   d.size *= map->scale;
   return vs_node_new(s, VS_SUPERELLIPSOID, &d, NULL, 0);
 }

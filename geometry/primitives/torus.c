@@ -25,8 +25,8 @@ static bool torus_measure(const vs_node *n, bool area, vs_measure *m, vs_error *
   (void)area, (void)e;
   m->volume = 2 * pi * pi * r * t * t;
   m->area = 4 * pi * pi * r * t;
-  if (t > r) { /* If the tube extends beyond the axis, only the part of the tube's disc on one side of the axis counts,
-                * because the remaining part rotates within it. */
+  if (t > r) { /* If the tube's disc crosses the axis, only its part on one side counts: the other part rotates within
+                * the space of the first. */
     double a = acos(-r / t), s = sin(a);
     m->volume = 2 * pi * (r * t * t * (a - s * cos(a)) + 2.0 / 3 * t * t * t * s * s * s);
     m->area = 4 * pi * t * (r * a + t * s);

@@ -20,8 +20,8 @@ bool vs_grid_cap(const vs_cap_loops *loops, const uint32_t *row, vs_mesh *out, b
   return ok;
 }
 
-/* Projects the points of a row to the plane of the row's first loop, so that this loop is counter-clockwise. Returns
- * NULL and sets *ok to false when memory is out. Returns NULL with *ok true if the row has no area. */
+/* Projects the points of a row to the plane of the row's first loop, in which this loop is counter-clockwise. Returns
+ * NULL if the row has no area; when memory is out, also sets *ok to false. */
 static vs_vec2 *grid_flatten(const vs_quad_grid *g, const vs_vec3 *row, bool *ok) {
   vs_vec3 area = { 0, 0, 0 };
   *ok = true;
@@ -54,7 +54,8 @@ static bool grid_fill(const vs_quad_grid *g, const vs_vec3 *at, const uint32_t *
   return ok;
 }
 
-/* Makes the vertices of one row. before, below: points and vertices of the previous row, or NULL for the first row. */
+/* Makes the vertices of one row. at: points of the row; before, below: points and vertices of the previous row, or NULL
+ * for the first row. */
 static bool grid_row(const vs_quad_grid *g, const vs_vec3 *at, const vs_vec3 *before, const uint32_t *below,
                      uint32_t *row, vs_mesh *out) {
   bool ok = true;
@@ -85,16 +86,15 @@ bool vs_grid_mesh(const vs_quad_grid *g, vs_mesh *out) {
   bool ok = index != NULL;
   VS_ASSERT(!g->joined || !g->seam);
   for (size_t r = 0; ok && r < rows; r++) {
-    bool back = r == g->rows; /* true for the step after the last row of a closed grid, which joins it to the first
-                               * row */
+    bool back = r == g->rows; /* true for the last step of a closed grid, which joins the last row to the first */
     const vs_vec3 *at = g->at + (back ? 0 : r) * n;
     if (back) for (size_t i = 0; i < n; i++) high[i] = start[i];
     else if (g->seam && r && r + 1 == rows) for (size_t i = 0; i < n; i++) high[i] = start[g->seam[i]];
     else ok = grid_row(g, at, r ? at - n : NULL, r ? low : NULL, high, out);
     if (ok && !r) for (size_t i = 0; i < n; i++) start[i] = high[i];
-    if (ok && g->joined && !back && r + 1 == g->rows) /* where the last row of a closed grid shares poles (single
-                                                       * points) with the first row, its points become the first row's
-                                                       * vertices */
+    if (ok && g->joined && !back && r + 1 == g->rows) /* if the last row of a closed grid shares poles (single points)
+                                                       * with the first row, its vertices there are those of the first
+                                                       * row */
       for (size_t i = 0; i < n; i++)
         if (vs_v3_equal(at[i], g->at[i])) high[i] = start[i];
     for (size_t i = 0; ok && g->numbers && i < n; i++) g->numbers[r * n + i] = high[i];

@@ -1,5 +1,5 @@
-/* Declares, for use in geometry/ alone, meshes of grids of points: the common representation of sweeps, revolutions,
- * lofts and surfaces. */
+/* Declares meshes of grids of points, for use in geometry/ alone. Sweeps, revolutions, lofts and surfaces all become
+ * such grids. */
 #ifndef VS_GEOMETRY_PROFILES_GRID_H
 #define VS_GEOMETRY_PROFILES_GRID_H
 
@@ -14,28 +14,28 @@ typedef struct {
   const bool *hole;
   size_t loop_count;
   bool round;          /* true if the loops of each row are closed; false if they are open lines */
-  bool joined;         /* true if the last row of points is joined to the first row */
-  const size_t *seam;  /* If not NULL: the last row lies at the position of the first row. Its point i coincides with
-                        * point seam[i] of the first row. */
+  bool joined;         /* true if the last row of points is connected to the first row by triangles */
+  const size_t *seam;  /* If not NULL: the last row has the same points as the first row, in another order: point i of
+                        * the last row coincides with point seam[i] of the first row. */
   bool capped;         /* true if the first and the last row are filled with triangles */
-  const vs_vec2 *flat; /* points of each row in the plane of that row, for the triangles that fill it; NULL: this plane
-                        * is computed from the points of the row */
-  const bool *by_number; /* if not NULL: by_number[r] is true if the diagonals of the cells from row r to the next go
-                          * from the lower column to the higher one */
+  const vs_vec2 *flat; /* the points of each row in the coordinates of the row's plane, for the triangles that fill it;
+                        * NULL: the plane is computed from the points of the row */
+  const bool *by_number; /* If not NULL: direction of the diagonals of the cells between row r and the next.
+                          * by_number[r] is true if they go from the lower column to the higher column. */
   uint32_t *numbers;   /* If not NULL: receives the index of the vertex at each point, row by row. If the grid is
                         * joined, the vertices of the first row follow again at the end. */
 } vs_quad_grid;
 
 /* Appends the triangles of the grid. They face away from the side from which the loops of a row are counter-clockwise.
- * Neighbouring points at exactly the same position become one vertex, so poles and apexes are closed. A grid that is
- * joined has no seam. Returns false when memory is out. */
+ * Neighbouring points at one position become one vertex, so poles and apexes are closed. A joined grid has common
+ * vertices where its last row meets the first. Returns false when memory is out. */
 bool vs_grid_mesh(const vs_quad_grid *g, vs_mesh *out);
 
-/* Loops of a row in the row's plane, one after another. Outer loops are counter-clockwise, and each hole follows the
- * outer loop that contains it. */
+/* Loops of a row, one after another, in the coordinates of the row's plane. Outer loops are counter-clockwise, and each
+ * hole follows the outer loop around it. */
 typedef struct { const vs_vec2 *at; const size_t *sizes; const bool *hole; size_t count; } vs_cap_loops;
 
-/* Fills loops with triangles, with the vertex row[i] at point i. If `turned`, the triangles face the opposite
+/* Fills loops with triangles. row[i]: vertex at point i of the loops; turned: true if the triangles face the opposite
  * direction. The first loop is an outer loop. Returns false when memory is out. */
 bool vs_grid_cap(const vs_cap_loops *loops, const uint32_t *row, vs_mesh *out, bool turned);
 

@@ -20,7 +20,7 @@
 #include "model/store/array.h"
 
 typedef struct {
-  vs_outline outline; /* loops of the section, in the order of the matching loops of the section before it */
+  vs_outline outline; /* loops of the section; loop i matches loop i of the section before it */
   bool point, open;
   vs_vec3 center, normal;
 } loft_section;
@@ -84,8 +84,8 @@ static size_t loft_points(const loft_section *s) {
   return n;
 }
 
-/* Reads all sections of the loft n. All circles of the sections get equal numbers of facets: the largest number that
- * any of them needs. */
+/* Reads all sections of the loft n. All circles of the sections get the same number of facets, the largest that any of
+ * them needs. Returns false and sets e on failure. */
 static bool loft_read_all(const vs_node *n, size_t count, const vs_fineness *f, loft_section *s, vs_error *e) {
   size_t most = 0;
   bool ok = true;
@@ -107,8 +107,8 @@ static bool loft_read_all(const vs_node *n, size_t count, const vs_fineness *f, 
   return ok;
 }
 
-/* Checks that the sections are compatible, such as all closed or all open. *first: the first section that is no
- * point. */
+/* Checks that the sections are compatible: for example, that all are closed, or all are open. *first: index of the
+ * first section that is not a point. Returns false and sets e if they are not compatible. */
 static bool loft_agree(const loft_section *s, size_t count, size_t *first, vs_error *e) {
   *first = count;
   for (size_t i = 0; i < count; i++) {
@@ -153,8 +153,8 @@ static void loft_turn(loft_section *s) {
   for (size_t l = 0; l < s->outline.count; l++) loft_reverse(&s->outline.loops[l]);
 }
 
-/* Turns each section's normal into the loft's direction. If the loft's direction lies in the section's plane, uses the
- * direction of the neighbouring section's normal instead. */
+/* Reverses normals of sections so that all point in the loft's direction. Where the loft's direction lies in a
+ * section's plane, uses the neighbouring section's normal instead. */
 static void loft_direct(loft_section *s, size_t count, bool joined) {
   bool sure = false;
   for (size_t pass = 0; pass < 2; pass++)
@@ -191,16 +191,16 @@ static vs_vec3 loft_loop_center(const vs_polyline *p) {
   return length > 0 ? vs_v3_scale(sum, 1 / length) : p->at[0];
 }
 
-/* Orders the loops of section b like the matching loops of the section a before it. Outer loops are matched by
- * distance, then the holes within each outer loop. The sections have equal numbers of loops. number: index of b for
- * messages. Returns false and sets e on failure. */
+/* Orders the loops of section b so that loop i matches loop i of section a, the section before it. Outer loops are
+ * matched by distance, then the holes within each outer loop. Both sections have equal numbers of loops. number: index
+ * of b, for messages. Returns false and sets e on failure. */
 static bool loft_pair(const loft_section *a, loft_section *b, size_t number, vs_error *e) {
   size_t n = b->outline.count, done = 0;
   VS_ASSERT(a->outline.count == b->outline.count);
   if (n == 1) return true;
   vs_polyline *sorted = vs_fresh(n, sizeof *sorted);
   bool *taken = vs_zeros(n, sizeof *taken), ok = sorted && taken;
-  size_t outer = 0; /* index of the outer loop of b whose holes are being matched */
+  size_t outer = 0; /* index in b of the outer loop whose holes are being matched */
   if (!ok) vs_error_memory(e, NULL);
   for (size_t l = 0; ok && l < n; l++) {
     double least = INFINITY;
@@ -239,7 +239,7 @@ static bool loft_pair(const loft_section *a, loft_section *b, size_t number, vs_
 typedef struct {
   vs_vec3 *at;      /* points of the loop relative to its centre, rotated into the plane of the previous section's
                      * loop */
-  double *along;    /* along[i]: position of point i along the loop, as a fraction of the loop's length */
+  double *along;    /* along[i]: arc length from the loop's start to point i, as a fraction of the loop's length */
   size_t count;
   bool closed;
 } loft_line;
@@ -265,9 +265,8 @@ static bool loft_line_make(const vs_polyline *p, const vs_affine *turn, loft_lin
   return true;
 }
 
-/* Returns the place at the parameter u on the line through the points `at`, which have the parameters `along`. If u is
- * within `near` of a point's parameter, the result is exactly that point. If the line is closed, any u is allowed.
- * count > 0. */
+/* Returns the position at the parameter u on the polyline through the `count` > 0 points `at`. along[i]: parameter of
+ * point i. If u is within `near` of along[i], returns exactly at[i]. If the line is closed, u may have any value. */
 static vs_vec3 loft_line_at(const vs_vec3 *at, const double *along, size_t count, bool closed, double u, double near) {
   VS_ASSERT(count > 0);
   if (closed) u -= floor(u);
@@ -294,9 +293,9 @@ static double loft_score(const vs_vec3 *a, const loft_line *b, double shift) {
   return sum;
 }
 
-static size_t loft_corners(const loft_line *l, double *out) { /* Writes the parameters of the corners, where the line
-                                                               * turns by more than 0.3 radians, to out. Returns their
-                                                               * number. */
+static size_t loft_corners(const loft_line *l, double *out) { /* Writes the parameters (fractions of the length) of
+                                                               * those points to out where the line turns by more than
+                                                               * 0.3 radians. Returns their number. */
   size_t found = 0;
   for (size_t i = 0; i < l->count && found < LOFT_CORNERS; i++) {
     vs_vec3 a = vs_v3_sub(l->at[i], l->at[i ? i - 1 : l->count - 1]),
@@ -306,9 +305,8 @@ static size_t loft_corners(const loft_line *l, double *out) { /* Writes the para
   return found;
 }
 
-/* Returns the shift of the start of loop b, as a fraction of its length, for which the wall between loops a and b is
- * twisted least. Loop a starts at `from`. A start that matches corners with corners is preferred to a slightly better
- * start. */
+/* Returns where loop b must start so that the wall between loops a and b is twisted least, as a fraction of b's length.
+ * Loop a starts at `from`. Prefers a start that matches corners with corners to one that is slightly better. */
 static double loft_least_twist(const loft_line *a, double from, const loft_line *b) {
   vs_vec3 samples[LOFT_SAMPLES];
   double aa = 0, bb = 0, best = -INFINITY, shift = 0, corner_best = -INFINITY, corner_shift = 0;
@@ -338,13 +336,13 @@ static double loft_least_twist(const loft_line *a, double from, const loft_line 
     else high = q;
   }
   double fine = (low + high) / 2;
-  if (loft_score(samples, b, fine) <= best + 1e-9 * scale) fine = shift; /* prefers a round number (shift) if it is as
-                                                                          * good as the exact optimum (fine) */
+  if (loft_score(samples, b, fine) <= best + 1e-9 * scale) fine = shift; /* prefers the tested shift, a round number, if
+                                                                          * it is as good as the exact optimum `fine` */
   return fine - floor(fine);
 }
 
-/* Finds the index in loop b of the point that matches point `from` of loop a, so that the wall is twisted least. The
- * loops have equal numbers of points, which are matched one by one. Returns false when interrupted. */
+/* Finds the point of loop b that matches point `from` of loop a so that the wall is twisted least. *best: its index.
+ * The loops have equal numbers of points, which are matched one by one. Returns false when interrupted. */
 static bool loft_least_twist_index(const loft_line *a, size_t from, const loft_line *b, vs_store *s, size_t *best,
                                    vs_error *e) {
   size_t n = b->count, stride = n / 512 + 1;
@@ -354,7 +352,7 @@ static bool loft_least_twist_index(const loft_line *a, size_t from, const loft_l
   for (size_t j = 0; j < n; j += stride) scale += vs_v3_dot(a->at[j], a->at[j]) + vs_v3_dot(b->at[j], b->at[j]);
   for (size_t t = 0; t < n; t++) {
     if (!vs_store_going(s, (uint32_t)(4 * n / stride), e)) return false;
-    size_t k = (from + t) % n; /* begins with the original start, which is kept if no other is better */
+    size_t k = (from + t) % n; /* begins with the original start, which is kept if no other start is better */
     double sum = 0;
     for (size_t j = 0; j < n; j += stride) sum += vs_v3_dot(a->at[(from + j) % n], b->at[(k + j) % n]);
     if (sum > most + 1e-9 * scale) most = sum, *best = k;
@@ -369,12 +367,11 @@ static int loft_compare(const void *a, const void *b) {
   return p < q ? -1 : p > q;
 }
 
-#define LOFT_NEAR 1e-5 /* difference, as a fraction of a loop's length, below which parameters of points count as
-                        * equal */
+#define LOFT_NEAR 1e-5 /* fraction of a loop's length: parameters of points that differ by less count as equal */
 
-/* Makes the sorted list of the parameters at which all sections need points, beginning with 0. These are the parameters
- * of every point of every section. If there are too many, they are the corners, and as many equal steps as the finest
- * section has. Returns their number, or 0 when memory is out. */
+/* Lists, in ascending order from 0, the parameters at which all sections get points: those of every point of every
+ * section. If there are too many, lists the parameters of corners, and equal steps, as many as the finest section has
+ * points. Returns their number, or 0 when memory is out. */
 static size_t loft_places(const loft_line *lines, const double *shift, size_t count, double **out) {
   size_t total = 2, most = 0, kept = 0;
   for (size_t i = 0; i < count; i++) {
@@ -412,14 +409,14 @@ static size_t loft_places(const loft_line *lines, const double *shift, size_t co
 
 typedef struct { loft_line *lines; double *shift; size_t *start; double *places; size_t count; } loft_match;
 
-enum { TWISTS = 1 << 18 }; /* estimated time, in nanoseconds, of one search for the least twist between two loops, for
-                            * vs_store_going */
+enum { TWISTS = 1 << 18 }; /* estimated time, in nanoseconds, of a search for the least twist between two loops, passed
+                            * to vs_store_going */
 
 /* The sections of a loft. first: index of the first section that is no point. */
 typedef struct { loft_section *at; size_t count, first; } loft_sections;
 
-/* Matches the points of loop l of all sections. matched[i] becomes the loop of section i; all have equally many points.
- * Returns false and sets e on failure. */
+/* Matches the points of loop l of all sections. matched[i]: receives loop l of section i; all these loops have equally
+ * many points. Returns false and sets e on failure. */
 static bool loft_match_loop(vs_store *store, const loft_sections *all, size_t l, loft_match *m, vs_polyline *matched,
                             vs_error *e) {
   loft_section *s = all->at;
@@ -429,7 +426,7 @@ static bool loft_match_loop(vs_store *store, const loft_sections *all, size_t l,
   for (size_t i = first; ok && i < rows; i++) {
     if (s[i].point) continue;
     vs_polyline *p = &s[i].outline.loops[l];
-    if (s[i].open && i > first) { /* an open section is reversed if its line runs against that of the section before
+    if (s[i].open && i > first) { /* reverses an open section if its line goes against the line of the section before
                                    * it */
       const vs_polyline *q = &s[last].outline.loops[l];
       vs_vec3 a = q->at[0], b = q->at[q->count - 1], c = p->at[0], d = p->at[p->count - 1];
@@ -447,8 +444,7 @@ static bool loft_match_loop(vs_store *store, const loft_sections *all, size_t l,
     m->shift[i] = 0;
     m->start[i] = 0;
     if (s[i].point || s[i].open || i == first) continue;
-    /* The points of line `last` are rotated into the plane of the section before it. `before` has them in their own
-     * plane. */
+    /* before: the line `last` in its own plane; `last` itself is rotated into the plane of the section before it. */
     loft_line before;
     vs_affine identity = vs_affine_identity();
     ok = (loft_line_make(&s[last].outline.loops[l], &identity, &before) || vs_error_memory(e, NULL)) &&
@@ -508,7 +504,7 @@ static bool loft_tabulate(vs_store *store, const loft_sections *all, vs_loft *ou
     out->sizes[l] = m.count;
     out->hole[l] = s[first].outline.hole[l];
     out->columns += m.count;
-    /* Fills the rows of the sections before section `first`. Each of these sections is a point, so all points of its
+    /* Fills the rows before the row of section `first`. Each of them is a section that is a point, so all points of the
      * row coincide. */
     for (size_t i = 0; ok && i < first; i++) {
       matched[l * rows + i] = (vs_polyline){ .at = vs_fresh(m.count + 1, sizeof(vs_vec3)), .count = m.count };
@@ -534,7 +530,7 @@ static bool loft_tabulate(vs_store *store, const loft_sections *all, vs_loft *ou
   return ok;
 }
 
-/* Returns true if section b is section a again, at the same position, within the distance `near`. */
+/* Returns true if section b repeats section a: every point is at the same position, within the distance `near`. */
 static bool loft_again(const loft_section *a, const loft_section *b, double near) {
   if (a->point || b->point || a->outline.count != b->outline.count) return false;
   for (size_t l = 0; l < a->outline.count; l++) {

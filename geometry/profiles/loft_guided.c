@@ -25,16 +25,17 @@
 
 typedef struct { vs_vec3 at, x, y, z; } guided_frame;
 
-/* The path, and the positions of the sections on it. */
+/* The path of the loft, and the positions of its sections on the path. */
 typedef struct {
   vs_path path;
   vs_vec3 *x;       /* x[i]: x direction of the moving frame at sample i of the path */
-  size_t stations;  /* number of sections along the path; on a closed path, the first section counts again at the end */
+  size_t stations;  /* number of sections along the path; on a closed path, the first section counts again at its end */
   double *s;        /* s[i]: arc length from the path's start to section i */
-  vs_vec3 *local;   /* description of each section in the moving frame: points, centre and tilt, by guided_describe */
+  vs_vec3 *local;   /* description of each section in the moving frame: its points, its centre and its tilt
+                     * (guided_describe) */
 } guided_way;
 
-/* Returns the moving frame at the arc length s of the path, interpolated between samples. */
+/* Returns the moving frame at the arc length s of the path. It is interpolated between the path's samples. */
 static guided_frame guided_frame_at(const guided_way *way, double s) {
   const vs_path *p = &way->path;
   const vs_vec3 *x = way->x;
@@ -70,15 +71,14 @@ static double guided_nearest(const vs_path *p, vs_vec3 c, double least) {
   return at;
 }
 
-/* Finds the arc length of each section on the path p. Reverses the path if the sections follow it in the opposite
- * direction. Returns false and sets e on failure. */
+/* Finds the arc length of each section on the path p. Reverses the path if the sections follow it from its end to its
+ * start. Returns false and sets e on failure. */
 static bool guided_stations(const vs_loft *l, vs_path *p, double *s, vs_error *e) {
   size_t n = l->rows + l->joined;
   s[0] = 0;
   if (!p->closed && guided_nearest(p, l->center[0], 0) > guided_nearest(p, l->center[l->rows - 1], 0))
     vs_path_reverse(p);
-  if (p->closed) { /* chooses the direction of the closed path in which the second section comes before the third and
-                    * later ones */
+  if (p->closed) { /* on a closed path, chooses the direction in which the second section comes before the others */
     double a = guided_nearest(p, l->center[0], 0), b = guided_nearest(p, l->center[1], a),
            c = guided_nearest(p, l->center[l->rows - 1], a);
     if (l->rows > 2 && c < b) vs_path_reverse(p);
@@ -94,7 +94,8 @@ static bool guided_stations(const vs_loft *l, vs_path *p, double *s, vs_error *e
   return true;
 }
 
-/* Indices of the vectors that follow the points in a section's description: its centre, its tilt, and their number. */
+/* Vectors in a section's description after its points. GUIDED_MIDDLE: its centre; GUIDED_LEAN: its tilt; GUIDED_EXTRA:
+ * number of these vectors. */
 enum { GUIDED_MIDDLE, GUIDED_LEAN, GUIDED_EXTRA };
 
 static vs_vec3 guided_out(const guided_frame *f, vs_vec3 v) {
@@ -104,7 +105,7 @@ static vs_vec3 guided_in(const guided_frame *f, vs_vec3 v) {
   return vs_v3(vs_v3_dot(v, f->x), vs_v3_dot(v, f->y), vs_v3_dot(v, f->z));
 }
 
-/* Returns v rotated about the axis w by the length of w in radians (Rodrigues' formula). */
+/* Returns v rotated about the axis w. The angle, in radians, is the length of w (Rodrigues' formula). */
 static vs_vec3 guided_turned(vs_vec3 w, vs_vec3 v) {
   double angle = vs_v3_length(w);
   if (!(angle > 0)) return v;
@@ -114,11 +115,11 @@ static vs_vec3 guided_turned(vs_vec3 w, vs_vec3 v) {
 }
 
 /* Computes the description of a section in the moving frame f: its points, centre and tilt. The section is a row of n
- * points with its middle and its normal. A section without a normal has the normal zero. */
+ * points with its centre `middle` and its normal; the normal is zero if the section has none. */
 static void guided_describe(const guided_frame *f, const vs_vec3 *row, size_t n, vs_vec3 middle, vs_vec3 normal,
                             vs_vec3 *local) {
-  vs_vec3 z = guided_in(f, normal), axis = vs_v3(-z.y, z.x, 0); /* axis: cross product of +Z and z, about which the
-                                                                 * section is tilted */
+  vs_vec3 z = guided_in(f, normal), axis = vs_v3(-z.y, z.x, 0); /* axis: cross product of +Z and z, the axis about which
+                                                                 * the section is tilted */
   double sine = vs_v3_length(axis);
   vs_vec3 lean = sine > 1e-12 ? vs_v3_scale(axis, atan2(sine, z.z) / sine) : vs_v3(0, 0, 0),
           back = vs_v3_scale(lean, -1);
@@ -133,8 +134,9 @@ static void guided_row(const guided_frame *f, const vs_vec3 *local, size_t n, vs
         f->at, guided_out(f, vs_v3_add(local[n + GUIDED_MIDDLE], guided_turned(local[n + GUIDED_LEAN], local[c]))));
 }
 
-/* Returns the derivative, at section i, of the vector with the index c in the sections' descriptions, by the arc length
- * of the path. There are at least two sections. n: number of vectors in a description. */
+/* Returns the slope of a vector of the sections' descriptions at section i: its derivative by the arc length of the
+ * path. c: index of the vector in a description; n: number of vectors in a description. There are at least two
+ * sections. */
 static vs_vec3 guided_slope(const guided_way *way, size_t n, size_t i, size_t c) {
   const vs_vec3 *local = way->local;
   const double *s = way->s;
@@ -167,7 +169,8 @@ static bool guided_rows(const vs_loft *l, const guided_way *way, const vs_finene
     for (size_t c = 0; c < wide; c++) {
       vs_vec3 m = vs_v3_scale(guided_slope(way, wide, i, c), to - from),
               k = vs_v3_scale(guided_slope(way, wide, i + 1, c), to - from);
-      if (c == n + GUIDED_LEAN) { /* the tilt is an angle, along whose arcs the points of the section move */
+      if (c == n + GUIDED_LEAN) { /* the vector is the tilt: points of the section move on arcs, at a distance from the
+                                   * axis of the tilt */
         double turn = vs_v3_length(vs_v3_sub(local[(i + 1) * wide + c], local[i * wide + c])), far = 0;
         for (size_t q = 0; q < n; q++) far = fmax(far, vs_v3_length(local[i * wide + q]));
         steps = fmax(steps, (double)vs_fineness_turn(f, far, 0) * turn / 6.283185307179586);
@@ -176,7 +179,7 @@ static bool guided_rows(const vs_loft *l, const guided_way *way, const vs_finene
       }
     }
     steps = ceil(steps);
-    /* The number of rows between two sections depends on how the sections differ and on the samples of the path. */
+    /* The number of rows between two sections depends on the difference of the two, and on the samples of the path. */
     size_t sample = 0, turns = p->closed ? 3 : 1;
     double at = from, next = 1;
     while (ok && at < to) {
@@ -249,12 +252,13 @@ bool vs_loft_along_path(const vs_node *n, const vs_loft *l, const vs_fineness *f
 typedef struct {
   vs_path path;
   double *s;      /* s[i]: arc length of the guide at section i */
-  size_t loop;    /* index of the loop of the sections that the guide touches */
-  double *column; /* column[i]: column of that loop, with a fraction, that the guide touches in section i */
+  size_t loop;    /* index of the loop of the sections that this guide touches */
+  double *column; /* column[i]: where the guide touches section i: column of the point in the loop, with a fraction
+                   * between two points */
 } guided_line;
 
-/* Finds the point of a loop in a row of l that is nearest to the guide p. *s: arc length of the guide there; *column:
- * column of the loop, with a fraction. Returns the distance of guide and loop. */
+/* Finds where the guide p is nearest to a loop in a row of l. *s: arc length of the guide there; *column: column of the
+ * loop's point, with a fraction. Returns their distance. */
 static double guided_touch(const vs_loft *l, size_t row, const vs_path *p, size_t loop, double *s, double *column) {
   size_t first = row * l->columns, size = l->sizes[loop], pieces = l->round ? size : size - 1,
          stretches = p->closed ? p->count : p->count - 1;
@@ -266,7 +270,7 @@ static double guided_touch(const vs_loft *l, size_t row, const vs_path *p, size_
     vs_vec3 a = p->at[i].at, d = vs_v3_sub(p->at[i + 1 < p->count ? i + 1 : 0].at, a);
     double dd = vs_v3_dot(d, d);
     for (size_t c = 0; c < pieces; c++) {
-      /* Finds the nearest points of the two segments a + t d and b + u g, including their ends (Ericson). */
+      /* Finds the nearest points of the two segments a + t d and b + u g, with t and u from 0 to 1 (Ericson). */
       vs_vec3 b = l->at[first + c], g = vs_v3_sub(l->at[first + (c + 1) % size], b), r = vs_v3_sub(a, b);
       double gg = vs_v3_dot(g, g), dg = vs_v3_dot(d, g), dr = vs_v3_dot(d, r), gr = vs_v3_dot(g, r),
              det = dd * gg - dg * dg;
@@ -294,8 +298,8 @@ static bool guided_line_make(const vs_node *n, size_t number, const vs_loft *l, 
   if (!vs_curve_path(n, &identity, f, &g->path, e)) return false;
   if (g->path.count < 2) return vs_error_set(e, VS_ERROR_MODEL, NULL, "guide %zu is a point", number);
   double least = INFINITY, slack = fmax(1e-3 * l->size, 2 * f->tolerance);
-  for (size_t loop = 0; loop < l->loop_count; loop++) { /* finds the loop that the guide touches in all sections, if
-                                                         * there is one */
+  for (size_t loop = 0; loop < l->loop_count; loop++) { /* finds the loop that this guide touches in all sections, if
+                                                         * there is such a loop */
     double worst = 0, s, column;
     for (size_t i = 0; i < l->rows; i++) worst = fmax(worst, guided_touch(l, i, &g->path, loop, &s, &column));
     if (worst < least) least = worst, g->loop = loop;
@@ -335,7 +339,7 @@ static vs_vec3 guided_point(const vs_path *p, double s) {
                    vs_v3_scale(vs_v3_sub(p->at[high].at, p->at[low].at), to > from ? (s - from) / (to - from) : 0));
 }
 
-/* Returns the first column of a loop in a row. For loop == l->loop_count, returns the number of columns. */
+/* Returns the first column of a loop in a row. If loop == l->loop_count, returns the number of columns. */
 static size_t guided_first(const vs_loft *l, size_t loop) {
   size_t first = 0;
   VS_ASSERT(loop <= l->loop_count);
@@ -343,11 +347,12 @@ static size_t guided_first(const vs_loft *l, size_t loop) {
   return first;
 }
 
-static double guided_column(const vs_loft *l, const guided_line *g, size_t i, double t) { /* returns the column of guide
-                                                                                           * g between section i and the
-                                                                                           * next, at the fraction t,
-                                                                                           * the shorter way around the
-                                                                                           * loop */
+static double guided_column(const vs_loft *l, const guided_line *g, size_t i, double t) { /* returns the column that
+                                                                                           * guide g touches at the
+                                                                                           * fraction t between
+                                                                                           * section i and the next;
+                                                                                           * goes the shorter way
+                                                                                           * around the loop */
   double a = g->column[i], b = g->column[i + 1], size = (double)l->sizes[g->loop];
   if (l->round && b - a > size / 2) b -= size;
   if (l->round && a - b > size / 2) b += size;
@@ -355,9 +360,9 @@ static double guided_column(const vs_loft *l, const guided_line *g, size_t i, do
   return l->round ? c - size * floor(c / size) : c;
 }
 
-/* Computes the affine map x -> c + m (x - b) that maps the n >= 1 points b_j best to the points g_j. *b and *c are the
- * means of the points. For one pair of points the map is a shift. For two pairs it is a rotation with a uniform scale.
- * For three or more that are not collinear it is any map of their plane, by least squares. */
+/* Computes the affine map x -> c + m (x - b) that best maps the n >= 1 points `from` to the points `to`, by least
+ * squares. *b, *c: means of the two sets. For one point it is a shift; for two, a rotation with a uniform scale; for
+ * three or more that are not collinear, any map of their plane. */
 static void guided_fit(const vs_vec3 *from, const vs_vec3 *to, size_t n, vs_vec3 *b, vs_vec3 *c, double m[3][3]) {
   VS_ASSERT(n > 0);
   *b = *c = vs_v3(0, 0, 0);
@@ -381,8 +386,8 @@ static void guided_fit(const vs_vec3 *from, const vs_vec3 *to, size_t n, vs_vec3
   }
   vs_vec3 normal = vs_v3_unit(area), x = vs_v3_unit(axis), y = vs_v3_cross(normal, x);
   bool planar = n > 2 && vs_v3_length(area) > 0.05 * vs_v3_dot(axis, axis);
-  if (!planar) { /* two pairs: a uniform scale, and the rotation from the line of the points to the line of their
-                  * images */
+  if (!planar) { /* two points, or collinear ones: a uniform scale, and the rotation from the line of the points to the
+                  * line of their images */
     vs_vec3 way = { 0, 0, 0 };
     for (size_t j = 0; j < n; j++)
       way = vs_v3_add(way, vs_v3_scale(vs_v3_sub(to[j], *c), vs_v3_dot(vs_v3_sub(from[j], *b), x)));
@@ -393,7 +398,8 @@ static void guided_fit(const vs_vec3 *from, const vs_vec3 *to, size_t n, vs_vec3
       for (int j = 0; j < 3; j++) m[i][j] = turn.m[i][j] * k;
     return;
   }
-  /* Solves the normal equations for the images of x and y. Lengths perpendicular to the plane do not change. */
+  /* Solves the normal equations for the images of the plane's directions x and y. Lengths perpendicular to the plane do
+   * not change. */
   double xx = 0, xy = 0, yy = 0;
   vs_vec3 px = { 0, 0, 0 }, py = { 0, 0, 0 };
   for (size_t j = 0; j < n; j++) {
@@ -428,8 +434,8 @@ typedef struct {
   vs_vec3 *from, *to;
 } guided_lines;
 
-/* Moves a row of points of the loft without guides so that it touches the guides. The row is at the fraction t between
- * section i and the next. */
+/* Moves a row of points so that it touches the guides. The row is that of the loft without guides at the fraction t
+ * between section i and the next. */
 static void guided_lead(const vs_loft *l, const guided_lines *by, size_t i, double t, vs_vec3 *row) {
   const guided_line *g = by->lines;
   guided_pin *pins = by->pins;
@@ -473,7 +479,7 @@ static void guided_lead(const vs_loft *l, const guided_lines *by, size_t i, doub
   }
 }
 
-/* Returns the number of steps between section i and the next section that the guide's samples require. */
+/* Returns the number of rows between section i and the next section that the samples of guide g require. */
 static double guided_line_steps(const guided_line *g, size_t i) {
   size_t n = 1;
   for (size_t k = 0; k < g->path.count; k++) n += g->path.at[k].along > g->s[i] && g->path.at[k].along < g->s[i + 1];

@@ -24,16 +24,16 @@ vs_vec3 *vs_loft_rows_add(vs_loft_rows *r) {
 
 /* ---- slopes ---- */
 
-/* returns the mean of the slopes p and q, weighted by Fritsch and Butland's formula, for steps of length h and k; p, q
- * >= 0 */
+/* returns the mean of the slopes p and q by Fritsch and Butland's formula, weighted by the lengths h and k of the
+ * steps; p, q >= 0 */
 static double loft_harmonic(double p, double q, double h, double k) {
   double w = 2 * k + h, v = k + 2 * h;
   VS_ASSERT(p >= 0 && q >= 0);
   return p > 0 && q > 0 ? (w + v) * p * q / (w * q + v * p) : 0;
 }
 
-/* Returns the length of the slope at a point where a curve turns. s: length of the sum of the unit directions before
- * and after it. The result is 4 tan(angle/4), as for a cubic that approximates a circle, and decreases to 0 for
+/* Returns the length of the slope where a curve turns. s: length of the sum of the unit directions before and after
+ * that point. For small turns it is 4 tan(angle/4), as in a cubic that approximates a circle; it decreases to 0 for
  * opposite directions. */
 static double loft_round(double s) { return fmin(1, s * s / 2) * 2 / (1 + s / 2); }
 
@@ -51,8 +51,8 @@ vs_vec3 vs_loft_end_slope(vs_vec3 a, vs_vec3 m) {
   return aa > 0 && along < 0 ? vs_v3_sub(out, vs_v3_scale(a, along / aa)) : out;
 }
 
-/* Returns the slope of the path of centres at a section. a, b: mean slopes before and after it, over the lengths h and
- * k; n: normal of the section, or zero. */
+/* Returns the slope of the path of the centres at a section. a, b: mean slopes before and after the section; h, k:
+ * lengths of the parts before and after it; n: normal of the section, or zero. */
 static vs_vec3 loft_center_slope(vs_vec3 a, vs_vec3 b, double h, double k, vs_vec3 n) {
   vs_vec3 whole = vs_loft_slope(a, b, h, k);
   double up = vs_v3_dot(a, n), on = vs_v3_dot(b, n);
@@ -84,16 +84,16 @@ double vs_loft_hermite_steps(vs_vec3 p, vs_vec3 q, vs_vec3 m, vs_vec3 k, const v
 
 /* ---- lines of the wall ---- */
 
-/* Computes the number k of pieces into which the wall between two rows must be cut. Between lines that are not parallel
- * the wall is a saddle. Two triangles deviate from its middle by a quarter of its twist. k is the same for all rows.
- * Each edge of a section is cut into as many pieces as its own twist then requires. The error decreases with the
- * product of the two numbers of pieces. edges[c]: number of pieces for column c; in an open section the last element of
- * each loop is unused. Returns k, 1 to 64. */
+/* Computes into how many pieces, k, the wall between two rows must be cut; returns k, 1 to 64, for all rows. Between
+ * lines that are not parallel the wall is a saddle: two triangles deviate from its middle by a quarter of its twist,
+ * and the error decreases with the number of pieces in both directions. edges[c]: receives the number of pieces of each
+ * section's edge at column c; unused for the last column of an open loop. */
 static double loft_saddle(const vs_loft *l, const vs_fineness *f, uint32_t *edges) {
   enum { MOST = 64 };
   double most = 0;
   size_t pieces = l->joined ? l->rows : l->rows - 1, n = l->columns;
-  for (int pass = 0; pass < 2; pass++) { /* the first pass computes k, the second pass the pieces of each edge */
+  for (int pass = 0; pass < 2; pass++) { /* the first pass computes k, the second pass the number of pieces of each
+                                          * edge */
     double k = fmin(fmax(ceil(sqrt(most / f->tolerance) - 1e-9), 1), MOST);
     if (pass && (f->segments > 0 || k == 1)) return 1;
     for (size_t loop = 0, first = 0; loop < l->loop_count; first += l->sizes[loop++])
@@ -152,12 +152,12 @@ void vs_loft_smooth_free(vs_loft_smooth *s) {
 }
 
 static vs_vec3 loft_way(const vs_loft *l, size_t row, size_t column) { /* returns the vector from the centre of a row to
-                                                                        * the wall at this column */
+                                                                        * the point of the wall at this column */
   return vs_v3_sub(l->at[row * l->columns + column], l->center[row]);
 }
 
-static double loft_chord(const vs_loft *l, size_t i) { /* returns the mean distance of the wall's points from row i to
-                                                        * the next row */
+static double loft_chord(const vs_loft *l, size_t i) { /* returns the mean distance between row i and the next row, over
+                                                        * the points of the wall */
   size_t next = (i + 1) % l->rows;
   double sum = 0;
   for (size_t c = 0; c < l->columns; c++)
@@ -165,8 +165,8 @@ static double loft_chord(const vs_loft *l, size_t i) { /* returns the mean dista
   return fmax(sum / (double)l->columns, 1e-12 * l->size);
 }
 
-/* Returns the slope, at row i, of the line of the wall in this column; column == l->columns is the path of the centres.
- * i is below l->rows. */
+/* Returns the slope at row i of the line of the wall in this column, or of the path of the centres if column ==
+ * l->columns. i is below l->rows. */
 static vs_vec3 loft_slope_at(const vs_loft *l, const double *chord, size_t i, size_t column) {
   size_t before = i ? i - 1 : l->rows - 1, after = (i + 1) % l->rows;
   bool path = column == l->columns;
@@ -178,8 +178,8 @@ static vs_vec3 loft_slope_at(const vs_loft *l, const double *chord, size_t i, si
               : vs_loft_slope(a, b, chord[before], chord[i]);
 }
 
-/* returns the mean slope from row i to the next of the line in this column; column == l->columns is the path of the
- * centres */
+/* returns the mean slope between row i and the next row of the line in this column, or of the path of the centres if
+ * column == l->columns */
 static vs_vec3 loft_secant(const vs_loft *l, const double *chord, size_t i, size_t column) {
   size_t after = (i + 1) % l->rows;
   vs_vec3 d = column == l->columns ? vs_v3_sub(l->center[after], l->center[i])
@@ -206,22 +206,22 @@ bool vs_loft_smooth_make(const vs_loft *l, vs_loft_smooth *out) {
     vs_vec3 path = loft_line_slope(l, chord, i, n);
     for (size_t c = 0; c < n; c++) {
       vs_vec3 slope = vs_v3_add(path, loft_line_slope(l, chord, i, c));
-      /* slope at the start of the piece of wall after row i */
+      /* slope at the start of the piece of wall that begins at row i */
       out->slope_out[i * n + c] = vs_v3_scale(slope, chord[i]);
       out->slope_in[i * n + c] = vs_v3_scale(slope, chord[i ? i - 1 : l->rows - 1]); /* slope at the end of the piece of
-                                                                                      * wall before row i */
+                                                                                      * wall that ends at row i */
     }
   }
   free(chord);
   return ok;
 }
 
-/* Returns the direction, in the plane of a section with the normal n, that points from the inside of the wall outwards
- * at this row and column. */
+/* Returns the direction, in the plane of a section with the normal n, that points outwards from the wall at this row
+ * and column. */
 static vs_vec3 loft_outwards(const vs_loft *l, size_t row, size_t column, vs_vec3 n) {
   size_t first = 0, loop = 0, other = row ? row - 1 : 1;
   VS_ASSERT(row < l->rows && column < l->columns);
-  if (l->point[row]) { /* a section that is a point uses the outward direction of the neighbouring section */
+  if (l->point[row]) { /* for a section that is a point, uses the outward direction of the neighbouring section */
     vs_vec3 d = vs_v3_sub(l->at[other * l->columns + column], l->center[other]);
     return vs_v3_unit(vs_v3_sub(d, vs_v3_scale(n, vs_v3_dot(d, n))));
   }
@@ -238,8 +238,8 @@ static vs_vec3 loft_outwards(const vs_loft *l, size_t row, size_t column, vs_vec
   return vs_v3_unit(vs_v3_cross(vs_v3_add(a, b), n));
 }
 
-/* Sets the direction of the wall at the first section, or at the last if `end` is true. The direction leans outwards
- * from the normal by `angle` radians. hold: length of the handle of a Bezier curve; the slope is 3 times this length.
+/* Sets the direction of the wall at the first section, or if `end` is true, at the last. The direction leans outwards
+ * from the normal by `angle` radians. hold: length of the handle of a Bezier curve; a cubic's slope is 3 times as long.
  * The loft has at least two rows. */
 static void loft_hold(vs_loft_smooth *s, bool end, double angle, double hold) {
   const vs_loft *l = s->loft;
@@ -279,7 +279,7 @@ double vs_loft_smooth_steps(const vs_loft_smooth *s, size_t i, const vs_fineness
   return steps;
 }
 
-static uint32_t loft_row_work(const vs_loft *l) { /* returns the estimated time for a row in nanoseconds, for
+static uint32_t loft_row_work(const vs_loft *l) { /* returns the estimated time in nanoseconds to make one row, for
                                                    * vs_store_going */
   return (uint32_t)fmin(64.0 * (double)l->columns, 1e9);
 }
@@ -311,7 +311,8 @@ static bool loft_smooth_rows(const vs_node *n, const vs_loft *l, const vs_finene
 
 /* ---- straight walls ---- */
 
-/* Makes the rows of a loft with straight walls, k pieces between two sections. Returns false and sets e on failure. */
+/* Makes the rows of a loft with straight walls: k pieces of wall between two sections. Returns false and sets e on
+ * failure. */
 static bool loft_straight_rows(const vs_node *n, const vs_loft *l, double k, vs_loft_rows *out, vs_error *e) {
   size_t pieces = l->joined ? l->rows : l->rows - 1, columns = l->columns;
   for (size_t i = 0; i <= pieces; i++) {
