@@ -21,8 +21,8 @@ static double distribution(const vs_sky_light *s, int i, double cos_zenith, doub
          (1 + s->of[i].c * exp(s->of[i].d * gamma) + s->of[i].e * cos_sun * cos_sun);
 }
 
-/* Returns a chromaticity (x or y) of the zenith. The rows of k belong to the square of the turbidity, the turbidity and
- * 1. The columns belong to the powers of the sun's angle from the zenith, from 3 to 0. */
+/* Returns a chromaticity (x or y) of the zenith, from a polynomial with the coefficients k. Its rows belong to the
+ * square of the turbidity, the turbidity and 1; its columns to the powers 3 to 0 of the sun's angle from the zenith. */
 static double zenith_chromaticity(const double k[3][4], double turbidity, double angle) {
   double sum = 0;
   for (int row = 0; row < 3; row++)
@@ -30,8 +30,8 @@ static double zenith_chromaticity(const double k[3][4], double turbidity, double
   return sum;
 }
 
-/* Returns the illuminance in lx for the sun's altitude in degrees. Its logarithm is a polynomial of the altitude in
- * units of 90 degrees, for each of four ranges of altitude (Circular 171). */
+/* Returns the illuminance of twilight in lx for the sun's altitude in degrees. For each of four ranges of altitude, its
+ * logarithm is a polynomial of altitude / 90 degrees (Circular 171). */
 static double twilight_illuminance(double altitude) {
   static const struct { double from, of[4]; } ranges[] = {
     { -0.8, { 2.88, 22.26, -207.64, 1034.30 } }, { -5, { 2.88, 21.81, -258.11, -858.36 } },
@@ -50,8 +50,8 @@ double vs_sky_light_twilight(double altitude) {
 
 static double altitude_of(vs_vec3 sun) { return asin(fmax(-1, fmin(1, sun.z))) * 180 / pi; }
 
-/* Sets quantity i of the sky (Y, x or y) to the value `zenith` at the zenith, with the gradation 1 + a exp(b / cos
- * theta). */
+/* Sets quantity i of the sky (0: Y, 1: x, 2: y) to the value `zenith` at the zenith, and to the gradation 1 + a exp(b /
+ * cos theta) at the angle theta from it. */
 static void gradation(vs_sky_light *s, int i, double zenith, double a, double b) {
   s->of[i].scale = zenith / (1 + a * exp(b)), s->of[i].a = a, s->of[i].b = b;
 }
@@ -66,9 +66,9 @@ static void set_illuminance(vs_sky_light *s, double illuminance) {
   s->of[0].scale *= illuminance / illuminance_of(s);
 }
 
-/* Darkens the sky of sunrise to that of twilight, for the sun's altitude in degrees. The model's sunrise is brighter
- * than the measured one, so the sky approaches the measured illuminance gradually: at -6 degrees, the end of civil
- * twilight, both are equal. */
+/* Darkens the sky of sunrise for the sun's altitude in degrees. The model's sunrise is brighter than the measured one.
+ * Therefore the sky approaches the measured illuminance gradually, and has it from -6 degrees, the end of civil
+ * twilight, downwards. */
 static void darken(vs_sky_light *s, double altitude) {
   double excess = twilight_illuminance(0) / illuminance_of(s);
   s->of[0].scale *= vs_sky_light_twilight(altitude) * pow(excess, fmin(1, -altitude / 6));
@@ -91,7 +91,7 @@ vs_sky_light vs_sky_light_of(double turbidity, vs_vec3 sun) {
   vs_sky_light s = { .sun = sun };
   VS_ASSERT(turbidity >= VS_TURBIDITY_LEAST && turbidity <= VS_TURBIDITY_MOST);
   if (sun.z < 0) s.sun = vs_v3_unit(vs_v3(sun.x, sun.y, 0));
-  if (!(vs_v3_length(s.sun) > 0)) s.sun = vs_v3(1, 0, 0); /* a sun straight below has no azimuth, so the direction +X is
+  if (!(vs_v3_length(s.sun) > 0)) s.sun = vs_v3(1, 0, 0); /* a sun straight below has no azimuth; the direction +X is
                                                            * used */
   double angle = acos(fmin(1, s.sun.z)), chi = (4. / 9 - t / 120) * (pi - 2 * angle);
   double zenith[] = { 1000 * ((4.0453 * t - 4.9710) * tan(chi) - 0.2155 * t + 2.4192),
@@ -106,9 +106,9 @@ vs_sky_light vs_sky_light_of(double turbidity, vs_vec3 sun) {
   return s;
 }
 
-/* In this function, the gradation is that of ISO 15469, sky type 1: a = 4, b = -0.7. The colour is the standard
- * illuminant D65. The illuminance is that of J. Krochmann, Lichttechnik 15 (1963). Below the horizon, it falls as in
- * twilight. */
+/* vs_sky_light_overcast uses the gradation of ISO 15469, sky type 1 (a = 4, b = -0.7), the colour of the standard
+ * illuminant D65, and the illuminance of J. Krochmann, Lichttechnik 15 (1963). With the sun below the horizon, the
+ * illuminance falls as in twilight. */
 vs_sky_light vs_sky_light_overcast(vs_vec3 sun) {
   vs_sky_light s = { .sun = vs_v3(0, 0, 1) };
   gradation(&s, 0, 1, 4, -0.7);
@@ -118,8 +118,8 @@ vs_sky_light vs_sky_light_overcast(vs_vec3 sun) {
   return s;
 }
 
-/* In this function, the gradation is that of the clear skies of ISO 15469: a = -1, b = -0.32. The chromaticities change
- * in the same way, from a blue zenith to the light of lamps at the horizon. */
+/* vs_sky_light_night uses the gradation of the clear skies of ISO 15469 (a = -1, b = -0.32). The chromaticities change
+ * with it, from a blue zenith to the light of lamps at the horizon. */
 vs_sky_light vs_sky_light_night(void) {
   vs_sky_light s = { .sun = vs_v3(0, 0, 1) };
   gradation(&s, 0, 1, -1, -0.32);
@@ -137,7 +137,8 @@ vs_sky_light vs_sky_light_of_scene(const vs_scene *scene, vs_vec3 sun) {
 }
 
 vs_vec3 vs_sky_light_sun_of_scene(const vs_scene *scene, vs_vec3 sun) {
-  const vs_vec3 moon = { 0.23, 0.25, 0.31 }; /* linear sRGB of the light of the full moon in clear air: 0.25 lx */
+  const vs_vec3 moon = { 0.23, 0.25, 0.31 }; /* illuminance of the full moon in clear air as linear sRGB in lx, together
+                                              * 0.25 lx */
   VS_ASSERT(scene->sky_kind != VS_SKY_PLAIN);
   if (scene->no_sun || scene->sky_kind == VS_SKY_OVERCAST) return vs_v3(0, 0, 0);
   if (scene->sky_kind == VS_SKY_NIGHT) return sun.z > 0 ? moon : vs_v3(0, 0, 0);
@@ -156,8 +157,8 @@ vs_vec3 vs_sky_light_at(const vs_sky_light *s, vs_vec3 direction) {
   return linear_srgb(c.x * c.y / c.z, c.x, c.x * (1 - c.y - c.z) / c.z);
 }
 
-/* In this function, the light is integrated over the sky by the midpoint rule. All steps have equal sizes in sin^2 of
- * the zenith angle, and in azimuth. */
+/* vs_sky_light_level integrates the light over the sky by the midpoint rule, in steps of equal size in azimuth and in
+ * sin^2 of the zenith angle. */
 vs_vec3 vs_sky_light_level(const vs_sky_light *s) {
   enum { RINGS = 48, SECTORS = 96 };
   vs_vec3 sum = vs_v3(0, 0, 0);
@@ -203,16 +204,16 @@ vs_vec3 vs_sky_light_sun(double turbidity, double altitude) {
   double sum[3] = { 0 };
   if (!(altitude > 0)) return vs_v3(0, 0, 0);
   double air = 1 / (sin(altitude * pi / 180) + 0.15 * pow(3.885 + altitude, -1.253)); /* length of the sun's path
-                                                                                       * through the air, relative to
-                                                                                       * that from the zenith, by
+                                                                                       * through the air, as a multiple
+                                                                                       * of the path from the zenith, by
                                                                                        * Kasten's formula */
   for (size_t i = 0; i < sizeof wave / sizeof *wave; i++) {
     double um = 0.38 + 0.01 * (double)i, wet = wave[i].water * water_cm * air;
     double through = exp(-0.008735 * pow(um, -4.08) * air - aerosol * pow(um, -1.3) * air -
                          wave[i].ozone * ozone_cm * air - 0.2385 * wet / pow(1 + 20.07 * wet, 0.45));
-    double w = 1e4 * wave[i].radiance * through * disc * lumens * 0.01; /* illuminance in lx of the wavelengths of this
-                                                                         * row, 0.01 um wide, before the weights of the
-                                                                         * CIE observer */
+    double w = 1e4 * wave[i].radiance * through * disc * lumens * 0.01; /* illuminance in lx by the wavelengths of this
+                                                                         * row, an interval of 0.01 um; the CIE
+                                                                         * observer's weights follow */
     sum[0] += w * wave[i].x, sum[1] += w * wave[i].y, sum[2] += w * wave[i].z;
   }
   return linear_srgb(sum[0], sum[1], sum[2]);

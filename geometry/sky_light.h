@@ -22,19 +22,18 @@ typedef struct {
                                                   * and y (of[1], of[2]) in the formula of Perez */
 } vs_sky_light;
 
-/* Returns the clear sky for a turbidity within VS_TURBIDITY_LEAST and VS_TURBIDITY_MOST and a unit vector towards the
- * sun. If the sun is below the horizon, the sky has the colours of sunrise and is darker. From -6 degrees downwards, a
+/* Returns the clear sky. turbidity: from VS_TURBIDITY_LEAST to VS_TURBIDITY_MOST; sun: unit vector towards the sun.
+ * With the sun below the horizon, the sky has the colours of sunrise and is darker; from -6 degrees downwards, a
  * horizontal surface has the measured illuminance of twilight. */
 vs_sky_light vs_sky_light_of(double turbidity, vs_vec3 sun);
-/* Returns the overcast sky for a unit vector towards the sun, which the clouds hide. The zenith is three times as
- * bright as the horizon in every direction. A horizontal surface has 300 + 21000 sin a lx, where a is the sun's
- * altitude. */
+/* Returns the overcast sky; sun: unit vector towards the sun, which the clouds hide. The zenith is three times as
+ * bright as the horizon. A horizontal surface has 300 + 21000 sin a lx, where a is the sun's altitude. */
 vs_sky_light vs_sky_light_overcast(vs_vec3 sun);
 /* Returns the night sky: blue overhead, with the light of a city at the horizon. A horizontal surface has 0.5 lx, as
  * under a clear sky over a large city. */
 vs_sky_light vs_sky_light_night(void);
-/* Returns the illuminance in twilight as a fraction of that at sunrise, for the sun's altitude in degrees: 1 if the
- * altitude is at least 0. The illuminance no longer falls below -18 degrees. */
+/* Returns the illuminance in twilight as a fraction of the illuminance at sunrise, for the sun's altitude in degrees; 1
+ * if the altitude is at least 0. Below -18 degrees it does not decrease further. */
 double vs_sky_light_twilight(double altitude);
 /* Returns the sky of a scene whose sky_kind is not VS_SKY_PLAIN, for a unit vector towards the scene's sun. */
 vs_sky_light vs_sky_light_of_scene(const vs_scene *scene, vs_vec3 sun);

@@ -12,7 +12,7 @@ bool vs_sun_is_day(int year, int month, int day) {
   return month >= 1 && month <= 12 && day >= 1 && day <= length[month - 1] && (month != 2 || day != 29 || leap);
 }
 
-/* Returns the number of days from 2000-01-01 12:00 UT to a time, given as a day and hours in UT. */
+/* Returns the number of days from 2000-01-01 12:00 UT to the given day and time; hours: hours since 0:00 UT. */
 static double days_since_j2000(int year, int month, int day, double hours) {
   int a = (14 - month) / 12, y = year + 4800 - a, m = month + 12 * a - 3;
   long jdn = day + (153 * m + 2) / 5 + 365L * y + y / 4 - y / 100 + y / 400 - 32045;

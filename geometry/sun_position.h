@@ -4,10 +4,10 @@
 
 #include <stdbool.h>
 
-/* A place on the earth and a time. Latitude and longitude are in degrees, north and east positive. The time is a day
- * and the hours in UT. */
+/* A place on the earth and a time. latitude, longitude: in degrees, north and east positive; year, month, day, hours:
+ * time in UT. */
 typedef struct { double latitude, longitude; int year, month, day; double hours; } vs_sun_moment;
-/* Angles in degrees. The azimuth is counted from north towards east, the altitude from the horizon upwards. */
+/* Direction to the sun, in degrees. azimuth: from north towards east; altitude: above the horizon. */
 typedef struct { double azimuth, altitude; } vs_sun_direction;
 
 /* Returns true if the day exists in the proleptic Gregorian calendar. */

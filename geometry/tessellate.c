@@ -1,4 +1,5 @@
-/* Makes the triangles of a node: follows placements down to the leaf, meshes the leaf, and places the mesh. */
+/* Makes the triangles of a node: follows placements down to the leaf, makes the leaf's mesh, and maps it by the
+ * placements. */
 #include "geometry/plane/planar_evaluation.h"
 #include "geometry/tessellate.h"
 
@@ -15,8 +16,8 @@
 
 #include <stdlib.h>
 
-/* Returns the child of a placement, material or layer, and multiplies *placed by the placement. Returns NULL for any
- * other node. */
+/* Returns the child of n if n is a placement, material or layer, and multiplies *placed by the placement. Returns NULL
+ * for any other node. */
 static const vs_ref *tessellate_below(const vs_node *n, vs_affine *placed) {
   switch (vs_node_role(n)) {
     case VS_ROLE_PLACED: *placed = vs_affine_multiply(placed, &VS_AS(transform, n)->matrix); return &n->children[0];
@@ -66,7 +67,7 @@ static bool tessellate_leaf(const vs_node *n, const vs_fineness *f, vs_mesh *out
     case VS_THICKEN:
       if (n->children[0].node->class_ == VS_SURFACE) {
         vs_mesh surface = { 0 };
-        /* The recursion is only one level deep, because the child, a surface, is never a thickening. */
+        /* This recursion is only one level deep: the child is a surface, and never itself a thickening. */
         if (!vs_tessellate(n->children[0].node, f, &surface, e)) return vs_mesh_free(&surface), false;
         double half = VS_AS(thicken, n)->width / 2;
         ok = vs_thicken_surface(&surface, half, half, out, NULL, NULL);
@@ -90,7 +91,7 @@ static bool tessellate_leaf(const vs_node *n, const vs_fineness *f, vs_mesh *out
     }
     case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: return vs_loft_mesh(n, f, out, e);
     case VS_GRID_MESH: case VS_GRID_SURFACE: ok = vs_surface_mesh(n, out); break;
-    case VS_SECTION: case VS_PROJECT: /* cannot occur, because solids/resolve.c has replaced sections and projections by
+    case VS_SECTION: case VS_PROJECT: /* not reached, because solids/resolve.c has replaced sections and projections by
                                        * regions */
     case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_EDGES:
     case VS_LINE:
@@ -105,8 +106,8 @@ static bool tessellate_leaf(const vs_node *n, const vs_fineness *f, vs_mesh *out
   return ok || vs_error_memory(e, NULL);
 }
 
-/* Returns the leaf below the placements of n. *placed: the map from the leaf's coordinates to those above n; *inner:
- * the fineness in the leaf's coordinates. */
+/* Returns the leaf below the placements of n. *placed: map from the leaf's coordinates to those outside of n; *inner:
+ * the fineness f, converted to the leaf's coordinates. */
 static const vs_node *tessellate_bottom(const vs_node *n, const vs_fineness *f, vs_affine *placed, vs_fineness *inner,
                                         const vs_origin **origin) {
   *placed = vs_affine_identity();
@@ -136,8 +137,8 @@ struct vs_bends {
   vs_swept plan;
   vs_affine placed; /* map from the coordinates of the planned sections to the coordinates outside of all placements
                      * around the sweep */
-  double scale;     /* factor that converts a tolerance outside of the placements around the sweep to a tolerance inside
-                     * them */
+  double scale;     /* factor by which a tolerance is multiplied to convert it from the coordinates outside of the
+                     * placements to those of the sweep */
 };
 
 vs_bends *vs_bends_new(const vs_node *n, const vs_fineness *f, vs_error *e) {

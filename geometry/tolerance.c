@@ -12,7 +12,7 @@ double vs_fineness_tolerance(const vs_bounds *drawing) {
 int vs_fineness_turn_least(const vs_fineness *f, double r, int least) {
   VS_ASSERT(f->tolerance > 0 && least > 0);
   if (!(r > f->tolerance)) return least;
-  /* The number n of facets is the smallest with r (1 - cos(pi/n)) <= tolerance. */
+  /* n, the number of facets, is the smallest number with r (1 - cos(pi/n)) <= tolerance. */
   double half_angle = acos(1 - f->tolerance / r);
   double n = ceil(3.14159265358979323846 / half_angle - 1e-9);
   if (!(n < MOST_TURN)) return MOST_TURN;

@@ -1,4 +1,5 @@
-/* Declares the fineness of curves: a single rule for the number of facets, which all back-ends and the kernel use. */
+/* Declares the fineness of curves: one rule for the number of facets of a curve, which all back-ends and the kernel
+ * use. */
 #ifndef VS_GEOMETRY_TOLERANCE_H
 #define VS_GEOMETRY_TOLERANCE_H
 
@@ -13,18 +14,18 @@ typedef struct {
 
 /* Returns the default tolerance of a drawing: the power of two nearest to 1/4000 of the diagonal of its bounds. */
 double vs_fineness_tolerance(const vs_bounds *drawing);
-/* Returns the number of facets of a full turn with radius r. If `segments` (of the node) is above 0, it is the result.
- * Otherwise f->segments is, if above 0. Otherwise the number follows from f->tolerance and is a multiple of 4, because
- * quarter turns must be vertices. */
+/* Returns the number of facets of a full turn with radius r. It is the node's `segments` if above 0, else f->segments
+ * if above 0. Otherwise f->tolerance determines the number; it is then a multiple of 4, because quarter turns must be
+ * vertices. */
 int vs_fineness_turn(const vs_fineness *f, double r, int segments);
-/* Returns the minimum number of facets of a full turn if the tolerance determines their number. */
+/* Returns the minimum of the number of facets of a full turn, for curves whose tolerance determines this number. */
 int vs_fineness_least(const vs_fineness *f);
 /* Returns the number of facets of a full turn by the tolerance alone, but no less than `least`. The tolerance and
  * `least` must be above 0. */
 int vs_fineness_turn_least(const vs_fineness *f, double r, int least);
-/* Returns the fineness inside a placement a, so that the distance of chords in the drawing remains f's tolerance. The
- * scale is rounded to a power of two. Thus rotations and small differences of scale change nothing, and equal parts
- * remain equal. */
+/* Returns the fineness to use inside a placement a, so that the distance of chords in the drawing stays within f's
+ * tolerance. The scale of a is rounded to a power of two. Thus rotations and small differences of scale change nothing,
+ * and equal parts remain equal. */
 vs_fineness vs_fineness_placed(const vs_fineness *f, const vs_affine *a);
 
 #endif

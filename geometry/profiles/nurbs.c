@@ -26,8 +26,8 @@ vs_nurbs_fault vs_nurbs_check(const vs_nurbs_knots *k, size_t *at) {
 }
 
 /* Returns the index of the knot span that contains the parameter t: knots[span] <= t < knots[span + 1]. At the end of
- * the parameter's range, returns the last span. The degree is 1 to VS_NURBS_DEGREE, and there are more control points
- * than the degree. */
+ * the parameter's range, returns the last span that is not empty. The degree is 1 to VS_NURBS_DEGREE; the number of
+ * control points is greater. */
 static size_t span_of(const vs_nurbs_knots *k, double t) {
   size_t low = (size_t)k->degree, high = k->count;
   VS_ASSERT(k->degree >= 1 && k->degree <= VS_NURBS_DEGREE && k->count > (size_t)k->degree);
@@ -63,7 +63,8 @@ static void basis(const vs_nurbs_knots *k, size_t span, double t, double *value,
     }
     value[j] = saved;
   }
-  for (int r = 0; r <= p; r++) { /* the loop uses `before`, the basis functions of degree p - 1 */
+  for (int r = 0; r <= p; r++) { /* the loop computes the basis functions of degree p from `before`, those of degree p -
+                                  * 1 */
     size_t i = span - (size_t)p + (size_t)r;
     double low = k->knots[i + (size_t)p] - k->knots[i], high = k->knots[i + (size_t)p + 1] - k->knots[i + 1];
     slope[r] = (r > 0 && low > 0 ? p * before[r - 1] / low : 0) - (r < p && high > 0 ? p * before[r] / high : 0);
@@ -84,7 +85,7 @@ static vs_vec3 rational_slope(const homogeneous *sum, const homogeneous *slope, 
   return vs_v3_scale(vs_v3_sub(slope->at, vs_v3_scale(at, slope->weight)), 1 / sum->weight);
 }
 
-/* A parameter and its knot span. */
+/* A value of the parameter, and the index of the knot span that contains it. */
 typedef struct { size_t span; double at; } knot_place;
 
 static vs_vec3 point_in(const vs_nurbs *n, knot_place u, knot_place v, vs_vec3 *by_u, vs_vec3 *by_v) {
@@ -124,8 +125,9 @@ static size_t break_points(const vs_nurbs_knots *k, double *out) {
   return count;
 }
 
-/* Returns the distance of the curve from its chord, at the middle of the parameter range [a, b]. For a surface, it is
- * the largest distance over its lines, at `lines` parameters `across` in the other direction. */
+/* Returns the distance of the curve from its chord over the parameters [a, b]: the largest of three distances, at the
+ * quarters of the range. For a surface, returns the largest over `lines` of its lines, at the parameters `across` of
+ * the other direction. */
 static double sagitta(const vs_nurbs *n, bool along_v, const double *across, size_t lines, double a, double b) {
   double most = 0;
   for (size_t i = 0; i < lines; i++) {
@@ -135,8 +137,8 @@ static double sagitta(const vs_nurbs *n, bool along_v, const double *across, siz
       at[k] = along_v ? vs_nurbs_point(n, across[i], t, NULL, NULL) : vs_nurbs_point(n, t, across[i], NULL, NULL);
     }
     vs_vec3 chord = vs_v3_sub(at[4], at[0]), way = vs_v3_unit(chord);
-    for (int k = 1; k < 4; k++) { /* measures the distance from the line through the chord; the position along this line
-                                   * does not matter */
+    for (int k = 1; k < 4; k++) { /* measures the distances of points from the line through the chord; their positions
+                                   * along this line do not matter */
       vs_vec3 d = vs_v3_sub(at[k], at[0]);
       most = fmax(most, vs_v3_length(vs_v3_sub(d, vs_v3_scale(way, vs_v3_dot(d, way)))));
     }
@@ -200,8 +202,9 @@ static sample sample_in(const vs_nurbs *n, size_t span, double t) {
   return r;
 }
 
-/* Returns true if the samples a and b of a curve are too far apart. This is so if the cubic through them with their
- * directions deviates from the sample in the middle, or the curve turns by more than a 64th of a turn. */
+/* Returns true if samples a and b of a curve are too far apart. They are if the cubic through them, with their
+ * directions, deviates from the sample `middle` by more than `slack`, or if the curve turns by more than a 64th of a
+ * turn between them. */
 static bool is_coarse(sample a, sample b, sample middle, double slack) {
   double turn = atan2(vs_v3_length(vs_v3_cross(a.slope, b.slope)), vs_v3_dot(a.slope, b.slope));
   double chord = vs_v3_length(vs_v3_sub(b.at, a.at)), quarter = cos(turn / 4);
@@ -213,12 +216,12 @@ static bool is_coarse(sample a, sample b, sample middle, double slack) {
   return vs_v3_length(vs_v3_sub(d, vs_v3_scale(way, vs_v3_dot(d, way)))) > slack;
 }
 
-/* Appends the samples of a knot span from parameter a to b, including its start but not its end. slack: allowed
- * deviation. */
+/* Appends samples of one knot span, for parameters from a to b; b itself is not sampled. slack: allowed deviation of
+ * the curve between samples. */
 static bool sample_span(const vs_nurbs *n, size_t span, double a, double b, double slack, samples *out) {
   enum { START = 4 };
-  double to[START + SPLITS + 1]; /* stack of the ends of parameter ranges that are still to be sampled; the nearest end
-                                  * is on top */
+  double to[START + SPLITS + 1]; /* stack of ranges of the parameter that are still to be sampled; a range is given by
+                                  * its end, and the next range is on top */
   int depth[START + SPLITS + 1], todo = 0;
   for (int i = 0; i < START; i++) to[todo] = b + (a - b) * i / START, depth[todo++] = 0;
   double from = a;
@@ -307,8 +310,8 @@ vs_node *vs_nurbs_curve_node(vs_store *s, const vs_nurbs *n) {
     if (!last && !is_corner(end.slope, sample_in(n, next, z).slope)) continue;
     if (!smooth) ok = append(&piece, end);
     size_t half = piece.count / 2;
-    bool halved = last && closed && !count && !smooth && half > 0; /* a closed curve whose only corner is at its ends
-                                                                    * must be divided into two splines */
+    bool halved = last && closed && !count && !smooth && half > 0; /* a closed curve without corners, except where its
+                                                                    * ends meet, must be divided into two splines */
     ok = ok && VS_GROW(pieces, room, count + 2);
     if (ok && halved) {
       pieces[count] = (vs_ref){ spline_node(s, piece.at, half + 1, false), NULL };

@@ -1,7 +1,7 @@
 /* Declares rational B-splines: their points and derivatives, and the parameters at which they are sampled.
  *
- * The notation is that of L. Piegl and W. Tiller, The NURBS Book (1997). A direction has `count` control points, a
- * degree p and count + p + 1 non-decreasing knots. The parameter goes from knots[p] to knots[count]. */
+ * The notation is that of L. Piegl and W. Tiller, The NURBS Book (1997). In one direction, a spline has `count` control
+ * points, a degree p and count + p + 1 non-decreasing knots. The parameter goes from knots[p] to knots[count]. */
 #ifndef VS_GEOMETRY_PROFILES_NURBS_H
 #define VS_GEOMETRY_PROFILES_NURBS_H
 
@@ -17,29 +17,30 @@ typedef struct {
 
 typedef struct {
   vs_nurbs_knots u, v;   /* knots in the two directions; a curve has only u, and v.count is 0 */
-  const vs_vec3 *points; /* control points: of a curve u.count points; of a surface u.count rows of v.count points */
+  const vs_vec3 *points; /* control points: u.count points for a curve; u.count rows of v.count points for a surface */
   const double *weights; /* weights[i]: weight of control point i; NULL: all weights are 1 */
 } vs_nurbs;
 
 typedef enum { VS_NURBS_GOOD, VS_NURBS_FALLS, VS_NURBS_BREAKS, VS_NURBS_NOTHING } vs_nurbs_fault;
-/* Checks the knots of a direction. There are three faults: a knot that is less than the previous knot; an inner knot
- * with a multiplicity above `degree`, where a curve is discontinuous; an empty range of the parameter. *at: index of
- * the faulty knot. */
+/* Checks the knots of one direction. Faults are: a knot below the one before it; an inner knot that occurs more than
+ * `degree` times, so that the curve is discontinuous; an empty range of the parameter. *at: index of the faulty
+ * knot. */
 vs_nurbs_fault vs_nurbs_check(const vs_nurbs_knots *k, size_t *at);
 
 double vs_nurbs_low(const vs_nurbs_knots *k);
 double vs_nurbs_high(const vs_nurbs_knots *k);
-/* Returns the point of a curve at u, or of a surface at (u, v). *slope_u and *slope_v become its derivatives by u and
- * v; the pointers may be NULL. Parameters are clamped to their ranges. */
+/* Returns the point of a curve at u, or of a surface at (u, v). Parameters outside of their range are clamped.
+ * *slope_u, *slope_v: receive the derivatives by u and v; the pointers may be NULL. */
 vs_vec3 vs_nurbs_point(const vs_nurbs *n, double u, double v, vs_vec3 *slope_u, vs_vec3 *slope_v);
 
-/* Computes the parameters at which one direction is sampled, in ascending order, including both ends and all knots. The
- * curve between samples is within `chord` of its chord; for a surface, this holds for its lines in that direction.
- * chord > 0. Returns the number of parameters, or 0 when memory is out. The caller frees *out. */
+/* Computes the parameters at which one direction is sampled, in ascending order, including both ends and all knots.
+ * Between samples, the curve, or each line of a surface in this direction, is within `chord` > 0 of its chord. Returns
+ * the number of parameters, or 0 when memory is out. The caller frees *out. */
 size_t vs_nurbs_parameters(const vs_nurbs *n, bool along_v, double chord, double **out);
 
-/* Returns a node for a curve: splines through points of the curve, within 1e-7 of its size, joined at corners. A curve
- * of degree 1 becomes a polyline. If all points are equal, the node is empty. Returns NULL when memory is out. */
+/* Returns a node for a curve: interpolating splines, joined at corners, which deviate from the curve by at most 1e-7 of
+ * its size. A curve of degree 1 becomes a polyline. If all points are equal, the node is empty. Returns NULL when
+ * memory is out. */
 vs_node *vs_nurbs_curve_node(vs_store *s, const vs_nurbs *n);
 
 #endif

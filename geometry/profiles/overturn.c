@@ -20,8 +20,9 @@
 #include "model/net.h"
 #include "model/store/array.h"
 
-static vs_vec3 way_of(const vs_swept *s, size_t step) { /* returns the direction of the step, the sum of the normals of
-                                                         * its two sections; an apex has no normal */
+static vs_vec3 way_of(const vs_swept *s, size_t step) { /* returns the direction of a step, from one section to the
+                                                         * next: the sum of the sections' normals; an apex has no
+                                                         * normal */
   const vs_section *p = &s->sections[step], *q = &s->sections[(step + 1) % s->section_count];
   return vs_v3_unit(vs_v3_add(vs_v3_unit(vs_v3_cross(p->x, p->y)), vs_v3_unit(vs_v3_cross(q->x, q->y))));
 }
@@ -31,12 +32,13 @@ bool vs_overturns(const vs_swept *s, const vs_vec3 *at, size_t step, double size
   vs_vec3 way = way_of(s, step);
   for (size_t i = 0; i < n; i++)
     if (vs_v3_dot(vs_v3_sub(at[(step + 1) * n + i], at[step * n + i]), way) < -1e-7 * size)
-      return true; /* a smaller step backwards is only a rounding error */
+      return true; /* a point that goes backwards by less than this does so only because of rounding errors */
   return false;
 }
 
-/* Returns the difference between the greatest and the least distance by which points of the profile go forwards in a
- * step. Returns 0 if no point goes backwards by more than a quarter of the tolerance. */
+/* For a step (from one section to the next), returns the difference between the greatest and the least distance by
+ * which points of the profile go forwards. Returns 0 if no point goes backwards by more than a quarter of the
+ * tolerance. */
 static double rises_differ(const vs_swept *s, size_t step, double tolerance) {
   const vs_section *a = &s->sections[step], *b = &s->sections[(step + 1) % s->section_count];
   vs_vec3 way = way_of(s, step);
@@ -78,16 +80,16 @@ void vs_overturn_tightest(const vs_swept *s, const vs_vec3 *near, vs_vec3 *at, d
   }
 }
 
-/* MOST: greatest number of finer steps into which a step is divided. HALVES: greatest number of halvings of a step at
- * an end of the sweep and at a corner, where each step is half as long as the step before it. A tetrahedron extends
- * beyond its step by a quarter of `differ`; only at ends and corners does no other step cover this part. */
+/* MOST: greatest number of parts into which a step is divided. HALVES: greatest number of halvings of a step at an end
+ * of the sweep or at a corner; each of the new steps there is half as long as the one before it. A tetrahedron extends
+ * beyond its step, which only at ends and corners no other step covers. */
 enum { MOST = 64, HALVES = 16 };
 typedef struct { double at[MOST + 2 * HALVES]; size_t count; } parts;
 
 static parts parts_of(double differ, double tolerance, bool begins, bool ends) {
   enum { SHOWS = 256 }; /* SHOWS: factor by which the deviation of tetrahedra may exceed the tolerance. Most of the
-                         * deviation lies inside the union; at the union's surface, a thirty-second of it was
-                         * measured. */
+                         * deviation lies inside the union of the tetrahedra; measurements at its surface found a
+                         * thirty-second of it. */
   parts p = { .count = 0 };
   double n = fmax(1, fmin(MOST, ceil(differ / (SHOWS * tolerance)))), halves = ceil(log2(differ / n / (4 * tolerance)));
   int fine = halves > 0 ? (int)fmin(HALVES, halves) : 0;
@@ -98,15 +100,15 @@ static parts parts_of(double differ, double tolerance, bool begins, bool ends) {
   return p;
 }
 
-/* Returns true if the sweep begins or ends at the start of this step, or turns there by more than a smooth path
- * does. */
+/* Returns true if this step begins at an end of the sweep, or if the sweep turns there more sharply than on a smooth
+ * path. */
 static bool turns_sharply(const vs_swept *s, size_t step) {
   size_t rows = s->section_count, before = (step + rows - 1) % rows;
   if (!s->joined && (step == 0 || step + 1 == rows)) return true;
   return s->sections[before].ends || s->sections[step].ends || vs_v3_dot(way_of(s, before), way_of(s, step)) < 0.95;
 }
 
-/* Divides each step r of the sweep at the fractions in divided[r]. */
+/* Divides each step of the sweep: step r at the fractions in divided[r]. */
 static bool divide(vs_swept *s, const parts *divided) {
   vs_section *fine = NULL;
   size_t count = 0, room = 0;
@@ -126,7 +128,8 @@ static bool divide(vs_swept *s, const parts *divided) {
   return true;
 }
 
-static bool goes_on(const vs_swept *s, size_t step) { /* returns true if the section `step` is followed by a step */
+static bool goes_on(const vs_swept *s, size_t step) { /* returns true if a step follows the section number `step`, that
+                                                       * is, if no piece of the sweep ends there */
   return !s->sections[step].ends && (s->joined || step + 1 < s->section_count);
 }
 
@@ -153,11 +156,11 @@ static double six_volumes(const vs_mesh *m, const uint32_t t[4]) {
   return vs_v3_dot(vs_v3_cross(a, b), c);
 }
 
-/* The corners of the three tetrahedra that fill a prism: the numbers of the cell's corners in the first row, or these
- * numbers + 3 in the second row. */
+/* The corners of the three tetrahedra that fill a prism. 0 to 2: corners of the prism's triangle (cell) in the first
+ * section; 3 to 5: the same corners in the second section. */
 static const uint8_t corner[3][4] = { { 0, 1, 2, 5 }, { 0, 1, 5, 4 }, { 0, 3, 4, 5 } };
 
-/* Sorts the three numbers of c. Returns 1 if their orientation is unchanged, -1 if it is reversed. */
+/* Sorts the three numbers of c. Returns 1 if their orientation is unchanged, -1 if it is reversed by the sorting. */
 static int sort_cell(uint32_t c[3]) {
   int even = 1;
   for (int i = 0; i < 3; i++) {
@@ -171,9 +174,9 @@ static int sort_cell(uint32_t c[3]) {
   return even;
 }
 
-/* Appends twice, facing outwards, the faces of each tetrahedron of a prism that has a negative volume. The vertices of
- * the two rows are `low` and `high`, the corners of the triangle `cell`. The parameter `hand` is 1, or -1 if the
- * triangle is clockwise in its row. */
+/* Appends the faces of those tetrahedra of a prism that have a negative volume, twice and facing outwards. low, high:
+ * vertices of the two sections; cell: the prism's triangle; hand: 1, or -1 if this triangle is clockwise in its
+ * section. Returns false when memory is out. */
 static bool add_prism(vs_mesh *m, const uint32_t *low, const uint32_t *high, const uint32_t cell[3], int hand) {
   uint32_t c[3] = { cell[0], cell[1], cell[2] };
   int even = sort_cell(c);
@@ -192,7 +195,8 @@ static bool add_prism(vs_mesh *m, const uint32_t *low, const uint32_t *high, con
   return ok;
 }
 
-/* Divides the profile into triangles, whose corners are the indices of its points. Returns false when memory is out. */
+/* Divides the profile into triangles. The corners of a triangle are indices of the profile's points. Returns false when
+ * memory is out. */
 static bool make_cells(const vs_swept *s, vs_mesh *cells) {
   uint32_t *row = vs_fresh(s->profile_count, sizeof *row);
   bool ok = row != NULL;
@@ -202,8 +206,8 @@ static bool make_cells(const vs_swept *s, vs_mesh *cells) {
   return ok;
 }
 
-static int hand_of(const vs_swept *s, const uint32_t cell[3]) { /* returns -1 for a clockwise triangle, which occurs if
-                                                                 * the profile crosses itself */
+static int hand_of(const vs_swept *s, const uint32_t cell[3]) { /* returns 1, or -1 if the triangle is clockwise, which
+                                                                 * occurs if the profile crosses itself */
   const vs_vec2 *a = &s->profile[cell[0]], *b = &s->profile[cell[1]], *c = &s->profile[cell[2]];
   return (b->x - a->x) * (c->y - a->y) - (b->y - a->y) * (c->x - a->x) < 0 ? -1 : 1;
 }
@@ -228,9 +232,9 @@ bool vs_overturn_fill(const vs_overturn_rows *rows, size_t first, vs_mesh *out) 
 
 /* ---- chance points ---- */
 
-/* State of the choice of random points. The state of the generator (SplitMix64: Steele, Lea, Flood, 2014) is `chance`.
- * The volume of the tetrahedra so far is `passed`, the volume at which the next point follows is `next`, and the volume
- * between two points `every`. If it is 0, only `passed` is computed. */
+/* State of the choice of random points in tetrahedra. chance: state of the generator (SplitMix64: Steele, Lea, Flood,
+ * 2014); passed: volume of the tetrahedra so far; next: volume at which the next point is chosen; every: volume between
+ * two points; 0: only `passed` is computed. */
 typedef struct {
   uint64_t chance;
   double passed, next, every;
@@ -239,15 +243,15 @@ typedef struct {
   size_t most, count;
 } sampling;
 
-static double chance(sampling *s) { /* returns a random number from 0 to 1 */
+static double chance(sampling *s) { /* returns a random number, evenly distributed between 0 and 1 */
   uint64_t z = s->chance += 0x9e3779b97f4a7c15u;
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
   z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
   return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
 }
 
-/* Returns a random point of the tetrahedron t. Three random cuts of an interval into four parts are evenly distributed
- * weights of its corners. */
+/* Returns a random point of the tetrahedron t, evenly distributed: three random cuts divide an interval into four
+ * parts, which are the weights of the corners. */
 static vs_vec3 point_within(sampling *s, const vs_vec3 t[4]) {
   double cut[5] = { 0, chance(s), chance(s), chance(s), 1 };
   for (int i = 0; i < 3; i++) {

@@ -25,8 +25,8 @@ bool vs_pipe_open(const vs_node *curve, int segments, double tolerance, vs_pipe 
   for (size_t i = 0; i < spans; i++) {
     double from = s->along[i], length = s->along[i + 1] - from;
     int pieces = (int)ceil(length / s->length * LEAST_RINGS - 1e-9);
-    if (pieces < 1) pieces = 1; /* pieces: number of parts into which rings divide this span of the curve; the total
-                                 * over all spans is at most spans + LEAST_RINGS */
+    if (pieces < 1) pieces = 1; /* pieces: number of parts into which rings (circular sections) divide this span of the
+                                 * curve; over all spans, at most spans + LEAST_RINGS */
     for (int k = 0; k < pieces; k++) out->at[out->count++] = from + length * k / pieces;
   }
   if (!s->path.closed) out->at[out->count++] = s->length;
@@ -46,8 +46,8 @@ bool vs_pipe_rings(const vs_pipe *p, const double *radius, size_t around, vs_vec
     vs_vec3 y = vs_v3_cross(b, x), m = vs_v3_add(a, b);
     double along = vs_v3_dot(b, m);
     if (along < 0.005) return *at = here.at, false;
-    if (!vs_v3_equal(a, b)) { /* at a corner of the curve, the ring lies in the bisecting plane, so that the pipe keeps
-                               * its width on both sides */
+    if (!vs_v3_equal(a, b)) { /* at a corner of the curve, the ring (circular section) lies in the bisecting plane, so
+                               * that the pipe keeps its width on both sides */
       x = vs_v3_sub(x, vs_v3_scale(b, vs_v3_dot(x, m) / along));
       y = vs_v3_sub(y, vs_v3_scale(b, vs_v3_dot(y, m) / along));
     }

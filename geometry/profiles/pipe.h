@@ -7,14 +7,14 @@
 /* The positions of the rings (circular sections) of a pipe along a curve. */
 typedef struct {
   vs_stations stations;
-  double *at; /* at[i]: distance of ring i (a circular section) from the start of the curve, ascending; a closed curve
-               * has no ring at its end */
+  double *at; /* at[i]: distance of ring i (a circular section) along the curve from its start, ascending; a closed
+               * curve has no ring at its end */
   size_t count;
 } vs_pipe;
 
-/* Chooses the positions of a pipe's rings (circular sections). There is a ring at each sample of the curve. More rings
- * lie between the samples, so that the distance of neighbours is at most a 64th of the length. Returns false and sets e
- * on failure. */
+/* Chooses the positions of a pipe's rings (circular sections): one at each sample of the curve, and more between
+ * samples, so that neighbouring rings are at most a 64th of the curve's length apart. Returns false and sets e on
+ * failure. */
 bool vs_pipe_open(const vs_node *curve, int segments, double tolerance, vs_pipe *out, vs_error *e);
 void vs_pipe_close(vs_pipe *p);
 /* Fills grid with p->count rings of `around` points. radius[i]: radius of ring i. Rings at corners of the curve are

@@ -22,8 +22,8 @@ void vs_revolve_free(vs_revolve *r) {
   *r = (vs_revolve){ 0 };
 }
 
-/* Converts the outline o to points of a profile in a half-plane bounded by the axis. The point farthest from the axis
- * determines the half-plane. Returns false and sets e on failure. */
+/* Converts the outline o to points of a profile in a half-plane bounded by the axis: the half-plane that contains the
+ * outline's point farthest from the axis. Returns false and sets e on failure. */
 static bool revolve_place(vs_revolve *r, const vs_outline *o, vs_error *e) {
   vs_vec3 far = { 0, 0, 0 };
   double size = 0, most = 0;
@@ -143,8 +143,8 @@ bool vs_revolve_mesh(const vs_revolve *r, size_t steps, vs_mesh *out) {
   return true;
 }
 
-/* In vs_revolve_bounds, each point of the profile moves on an arc about the axis. Its coordinate i is c + r (A cos t +
- * B sin t). */
+/* vs_revolve_bounds: each point of the profile moves on an arc about the axis, on which coordinate i is c + r (A cos t
+ * + B sin t). */
 void vs_revolve_bounds(const vs_revolve *r, const vs_affine *a, vs_bounds *b) {
   double low = fmin(r->start, r->start + r->angle), high = fmax(r->start, r->start + r->angle),
          angles[8] = { low, high };
@@ -239,8 +239,7 @@ bool vs_revolve_measure(const vs_node *n, const vs_fineness *f, vs_measure *m, v
   if (area.whole < 0) area = (revolve_moments){ -area.whole, -area.r, -area.rr, -area.rz };
   double angle = fabs(r.angle), radius = vs_profile_circle(n->children[0].node), half = angle / 2,
          middle = r.start + r.angle / 2, sine, cosine;
-  if (radius > 0) { /* the profile is a circle: the centroid of the regular polygon that replaces it is that of the
-                     * circle */
+  if (radius > 0) { /* the profile is a circle, which a regular polygon replaces; both have the same centroid */
     double k = turn / 2 * radius * radius / area.whole, l = turn * radius / line.whole;
     area = (revolve_moments){ area.whole * k, area.r * k, area.rr * k, area.rz * k };
     line = (revolve_moments){ line.whole * l, line.r * l, line.rr * l, line.rz * l };
@@ -248,8 +247,8 @@ bool vs_revolve_measure(const vs_node *n, const vs_fineness *f, vs_measure *m, v
   const revolve_moments *mass = r.filled ? &area : &line;
   m->volume = r.filled ? angle * area.r : 0;
   m->area = angle * line.r + (r.filled && !r.full ? 2 * area.whole : 0);
-  /* far: distance of the centroid from the axis, r sin(half)/half for a partial turn; it is in the direction of the
-   * middle angle. */
+  /* far: distance of the centroid from the axis, in the direction of the middle angle; in a partial turn, it is r
+   * sin(half) / half for each point at the distance r. */
   double far = mass->r > 0 && !r.full ? mass->rr / mass->r * sin(half) / half : 0;
   vs_sincos(middle, &sine, &cosine);
   m->centroid = revolve_point(&r, (vs_vec2){ far, mass->r > 0 ? mass->rz / mass->r : 0 }, cosine, sine);

@@ -1,4 +1,4 @@
-/* Makes nodes of kinds VS_GRID_MESH and VS_GRID_SURFACE of grids of points. */
+/* Makes grids of points into nodes of the kinds VS_GRID_MESH and VS_GRID_SURFACE. */
 #include "geometry/profiles/surface.h"
 
 #include <stdlib.h>
@@ -37,7 +37,8 @@ static int surface_border_compare(const void *a, const void *b) {
   return p->index < q->index ? -1 : p->index > q->index;
 }
 
-/* Moves points of the grid's border that nearly coincide to the position of the first of them. */
+/* Finds points of the grid's border that nearly coincide, and moves them to the position of the first of them. Returns
+ * false when memory is out. */
 static bool surface_snap(surface_grid *g) {
   size_t count = 0, total = g->rows * g->columns;
   surface_border *border = vs_fresh(2 * (g->rows + g->columns) + 1, sizeof *border);
@@ -46,8 +47,8 @@ static bool surface_snap(surface_grid *g) {
     size_t i = k / g->columns, j = k % g->columns;
     bool edge = (!g->closed_u && (i == 0 || i + 1 == g->rows)) || (!g->closed_v && (j == 0 || j + 1 == g->columns));
     vs_vec3 p = g->at[k];
-    /* Border points are sorted along an oblique direction, because borders often lie in a plane perpendicular to an
-     * axis. */
+    /* Sorts border points along an oblique direction, because many borders lie in a plane perpendicular to an axis,
+     * where all points would be equal. */
     if (edge) border[count++] = (surface_border){ 0.6113 * p.x + 0.5307 * p.y + 0.5871 * p.z, k };
   }
   qsort(border, count, sizeof *border, surface_border_compare);
@@ -105,7 +106,7 @@ vs_node *vs_surface_make(vs_store *s, vs_kind kind, const vs_point_grid *grid, v
   double size = vs_bounds_diagonal(&b);
   g.near = 1e-9 * size;
   surface_wrap(&g);
-  if (g.rows < 3) g.closed_u = false; /* a grid of two rows cannot be joined to a closed surface */
+  if (g.rows < 3) g.closed_u = false; /* a grid with only two rows cannot be closed to a ring of rows */
   if (g.columns < 3) g.closed_v = false;
   bool ok = surface_snap(&g) && surface_append(&g, &m), known = true;
   if (ok && !(vs_mesh_area(&m) > 1e-12 * size * size)) {

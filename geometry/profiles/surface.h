@@ -1,4 +1,5 @@
-/* Declares nodes made of grids of points. Borders of the grid that coincide are joined, and may close the surface. */
+/* Declares nodes that are made of grids of points. Borders of the grid that coincide are joined, and may close the
+ * surface. */
 #ifndef VS_GEOMETRY_PROFILES_SURFACE_H
 #define VS_GEOMETRY_PROFILES_SURFACE_H
 
@@ -14,12 +15,12 @@ typedef struct {
   bool closed_u, closed_v;
 } vs_point_grid;
 
-/* Makes a node of the kind VS_GRID_MESH or VS_GRID_SURFACE. Borders that coincide within 1e-9 of the grid's size become
- * one border, and a border that has shrunk to a point becomes that point. A surface that is closed in this way is a
+/* Makes a node of the kind VS_GRID_MESH or VS_GRID_SURFACE. Borders of the grid that coincide within 1e-9 of its size
+ * become one border, and a border whose points coincide becomes one point. If this closes the surface, the node is a
  * solid. If all points are collinear, returns the empty node. Returns NULL and sets e on failure. */
 vs_node *vs_surface_make(vs_store *s, vs_kind kind, const vs_point_grid *grid, vs_error *e);
-/* Appends the triangles of grid node n to out. They face in the direction (next row - row) x (next column - column);
- * those of a solid face outwards. Returns false when memory is out. */
+/* Appends the triangles of grid node n to out. They face outwards if n is a solid, else in the direction (next row -
+ * row) x (next column - column). Returns false when memory is out. */
 bool vs_surface_mesh(const vs_node *n, vs_mesh *out);
 
 #endif

@@ -48,7 +48,8 @@ vs_section vs_section_between(const vs_section *a, const vs_section *b, double t
 typedef struct {
   vs_vec3 x, y, normal, origin;
   vs_vec2 base;
-  double reach; /* greatest distance of the profile's points from `base`, the point that moves along the path */
+  double reach; /* greatest distance of the profile's points from `base`, the point of the profile that moves on the
+                 * path */
 } vs_profile_plane;
 
 static vs_vec2 profile_flat(const vs_profile_plane *p, vs_vec3 at) {
@@ -57,9 +58,8 @@ static vs_vec2 profile_flat(const vs_profile_plane *p, vs_vec3 at) {
 }
 
 static bool swept_room(vs_swept *s, size_t points, size_t loops) {
-  s->profile = malloc((points ? points : 1) * sizeof *s->profile); /* at least one element, although an empty region has
-                                                                    * no points: an allocation of 0 bytes may return
-                                                                    * NULL */
+  s->profile = malloc((points ? points : 1) * sizeof *s->profile); /* at least one element: for an empty region, without
+                                                                    * points, malloc(0) might return NULL */
   s->sizes = malloc((loops ? loops : 1) * sizeof *s->sizes);
   s->hole = malloc((loops ? loops : 1) * sizeof *s->hole);
   return s->profile && s->sizes && s->hole;
@@ -129,8 +129,9 @@ static bool swept_split(vs_swept *s, const size_t *pieces) {
     size_t size = s->sizes[l], begin = end;
     for (size_t i = 0; i < size; i++) {
       vs_vec2 p = s->profile[first + i], q = s->profile[first + (i + 1) % size];
-      size_t k = !s->filled && i + 1 == size ? 1 : pieces[first + i]; /* k: number of pieces; an open profile has no
-                                                                       * edge after its last point */
+      size_t k = !s->filled && i + 1 == size ? 1 : pieces[first + i]; /* k: number of pieces of edge i; 1 for the last
+                                                                       * point of an open profile, after which there is
+                                                                       * no edge */
       for (size_t j = 0; j < k; j++) {
         double t = (double)j / (double)k;
         fine[end++] = (vs_vec2){ p.x + (q.x - p.x) * t, p.y + (q.y - p.y) * t };
@@ -147,11 +148,10 @@ static bool swept_split(vs_swept *s, const size_t *pieces) {
 
 enum { MOST_STEPS = 200000 };
 
-/* Computes the steps of a twist. It turns a straight edge of length l by an angle da in a step, so that its wall is a
- * saddle. Two triangles deviate from the saddle by l da / 4 in its middle. Therefore the path is divided into n steps
- * and each edge into k pieces, so that l/k twist/n / 4 is within the tolerance, with n and k about equal. There are at
- * least as many steps as facets in an equal turn. If the node's segments are given, the edges are not divided. Returns
- * n, which is 1 without a twist, or 0 when memory is out. */
+/* Computes into how many steps a twist divides the path. In a step, a straight edge of length l that turns by the angle
+ * da sweeps a saddle; two triangles deviate from its middle by l da / 4. With n steps, and k pieces of each edge, l/k
+ * twist/n / 4 must be within the tolerance; n and k are about equal. If the node sets its segments, edges are not
+ * divided. Returns n, at least the number of facets in an equal turn; 1 without a twist; 0 when memory is out. */
 static size_t swept_refine(vs_swept *s, double twist, double scale, double reach, const vs_fineness *f) {
   enum { MOST = 2000, MOST_POINTS = 10000000 };
   double widest = fmax(1, fabs(scale)), longest = 0;
@@ -178,7 +178,8 @@ static size_t swept_refine(vs_swept *s, double twist, double scale, double reach
   return ok ? (size_t)n : 0;
 }
 
-/* Returns the number of steps, at least 1, for a part of the path that is the fraction `share` of its length. */
+/* Returns the number of steps for a part of the path, at least 1. steps: number for the whole path; share: fraction of
+ * its length. */
 static size_t swept_share(size_t steps, double share) {
   double n = ceil((double)steps * share - 1e-9);
   return n < 1 ? 1 : (size_t)n;
@@ -186,19 +187,18 @@ static size_t swept_share(size_t steps, double share) {
 
 static bool swept_turns_back(const vs_path_point *p) { return 1 + vs_v3_dot(p->arriving, p->leaving) <= 0.005; }
 
-/* Returns the vector (lean) by which a section at a corner of the path is inclined, for `way`, one of the corner's two
- * directions. A point of the profile is moved backwards along `way` by its component along this vector. */
+/* Returns the vector (lean) by which a section at a corner of the path is inclined. way: one of the two directions at
+ * the corner. Each point of the profile moves backwards along `way` by its component along the lean. */
 static vs_vec3 swept_lean(const vs_path_point *p, vs_vec3 way) {
   vs_vec3 m = vs_v3_add(p->arriving, p->leaving);
   if (vs_v3_equal(p->arriving, p->leaving) || swept_turns_back(p)) return vs_v3(0, 0, 0);
   return vs_v3_sub(vs_v3_scale(m, 1 / vs_v3_dot(way, m)), way);
 }
 
-/* Returns the lean (inclination vector) of a section between the path points p and q, at the fraction t, 0 < t < 1. It
- * decreases from the mitre at each end, and is 0 at a distance from the corner that is twice the mitre's extent along
- * the path. If p and q are nearer, the lean changes linearly from one mitre to the other. In either case, each point of
- * the profile moves in one direction between the mitres. Without a lean, sections perpendicular to the path would pass
- * the mitre on the inner side of the corner. */
+/* Returns the lean (inclination vector) of the section at the fraction t, 0 < t < 1, between the path points p and
+ * q. It decreases from the mitre at each end, and is 0 beyond twice the mitre's extent along the path; if p and q
+ * are nearer, it changes linearly. Sections perpendicular to the path would pass the mitre on the inner side of a
+ * corner. */
 static vs_vec3 swept_lean_between(const vs_path_point *p, const vs_path_point *q, double t, double reach) {
   vs_vec3 a = swept_lean(p, p->leaving), b = swept_lean(q, q->arriving);
   double length = vs_v3_length(vs_v3_sub(q->at, p->at)), from = 2 * reach * vs_v3_length(a) / length,
@@ -207,8 +207,8 @@ static vs_vec3 swept_lean_between(const vs_path_point *p, const vs_path_point *q
   return vs_v3_add(vs_v3_scale(a, t < from ? 1 - t / from : 0), vs_v3_scale(b, 1 - t < to ? 1 - (1 - t) / to : 0));
 }
 
-/* Returns the section at point p of the path. The first direction of the profile, before it is turned by `angle` and
- * inclined by `lean`, is x. Its second direction is perpendicular to x and to the path. */
+/* Returns the section at point p of the path. x: first direction of the profile before it is turned by `angle` and
+ * inclined by `lean`; its second direction is perpendicular to x and to the path. */
 static vs_section swept_section(const vs_path_point *p, vs_vec3 lean, vs_vec3 x, double angle, double scale,
                                 vs_vec2 base) {
   double sine, cosine;
@@ -222,8 +222,8 @@ static vs_section swept_section(const vs_path_point *p, vs_vec3 lean, vs_vec3 x,
   return (vs_section){ u, v, at, false };
 }
 
-/* Tests whether the profile coincides with itself when it is turned by `angle` about base, as a square does. If it
- * does, sets s->seam: point i moves to point seam[i]. Returns false when memory is out. */
+/* Tests whether the profile coincides with itself if it is turned by `angle` about base, as a square does after a
+ * quarter turn. If so, sets s->seam[i] to the point to which point i moves. Returns false when memory is out. */
 static bool swept_seam(vs_swept *s, vs_vec2 base, double angle, double reach) {
   size_t *seam = malloc(s->profile_count * sizeof *seam);
   double sine, cosine, near = 1e-9 * reach;
@@ -251,15 +251,15 @@ static bool swept_seam(vs_swept *s, vs_vec2 base, double angle, double reach) {
   return ok;
 }
 
-/* Data that keep a profile upright along a path. up: the upward direction in space; side: unit vector in the profile's
- * coordinates that points as far towards `up` as the path allows. */
+/* How a profile is kept upright along a path. up: the upward direction in space; side: unit vector in the profile's
+ * coordinates that is to point upwards as far as the path allows. */
 typedef struct {
   vs_vec3 up;
   vs_vec2 side;
 } vs_upright;
 
-/* Returns the data that keep the profile upright. Its upper side is the direction of `up` in the profile's plane as it
- * is drawn. If `up` is perpendicular to that plane, it is the plane's Y. */
+/* Returns how the profile is kept upright. Its upper side is where `up` points in the profile's plane, as the profile
+ * is drawn; if `up` is perpendicular to this plane, it is the plane's Y direction. */
 static vs_upright swept_upright(const vs_profile_plane *plane, vs_vec3 up) {
   up = vs_v3_unit(up);
   bool flat = fabs(vs_v3_dot(up, plane->normal)) > 1 - 1e-9;
@@ -268,8 +268,8 @@ static vs_upright swept_upright(const vs_profile_plane *plane, vs_vec3 up) {
   return (vs_upright){ up, { x / length, y / length } };
 }
 
-/* Returns the first direction of the upright profile at a point where the path has the direction `way`, or the zero
- * vector if `way` is parallel to `up`. */
+/* Returns the first direction of the upright profile where the path has the direction `way`; the zero vector if `way`
+ * is parallel to `up`. */
 static vs_vec3 swept_stood(const vs_upright *u, vs_vec3 way) {
   vs_vec3 up = vs_v3_sub(u->up, vs_v3_scale(way, vs_v3_dot(u->up, way)));
   if (vs_v3_length(up) < 1e-6) return vs_v3(0, 0, 0);
@@ -278,7 +278,7 @@ static vs_vec3 swept_stood(const vs_upright *u, vs_vec3 way) {
 }
 
 /* Sets x[i] to the first direction of the upright profile at point i of the path. Returns false if the path is parallel
- * to `up` at some point; e then names the point. */
+ * to `up` at some point; e then states this point. */
 static bool swept_stand(const vs_upright *u, const vs_path *path, vs_vec3 *x, vs_error *e) {
   for (size_t i = 0; i < path->count; i++) {
     vs_vec3 at = path->at[i].at;
@@ -291,8 +291,8 @@ static bool swept_stand(const vs_upright *u, const vs_path *path, vs_vec3 *x, vs
   return true;
 }
 
-/* Returns the angle in radians by which an upright profile turns at a corner of the path. Mirrored in the mitre plane,
- * a profile that is upright after the corner is not upright before it, but turned by this angle. Therefore it turns
+/* Returns the angle in radians by which an upright profile turns at a corner of the path. The mitre plane mirrors a
+ * profile that is upright after the corner to one that is turned by this angle before it. Therefore the profile turns
  * evenly along the arm before the corner. */
 static double swept_spin(const vs_upright *u, const vs_path_point *corner) {
   if (vs_v3_equal(corner->arriving, corner->leaving) || swept_turns_back(corner)) return 0;
@@ -302,8 +302,8 @@ static double swept_spin(const vs_upright *u, const vs_path_point *corner) {
   return atan2(vs_v3_dot(a, vs_v3_cross(before, x)), vs_v3_dot(before, x));
 }
 
-/* Returns the deviation of two triangles from the surface that the edge from p to q of the profile sweeps from section
- * a to section b. It is a quarter of the distance by which the four corners differ from a plane. */
+/* Returns how far two triangles deviate from the surface that the profile's edge from p to q sweeps between sections a
+ * and b: a quarter of the distance by which the four corners differ from a plane. */
 static double swept_saddle(const vs_section *a, const vs_section *b, vs_vec2 p, vs_vec2 q) {
   vs_vec3 at[2][2], most = { 0, 0, 0 };
   for (int i = 0; i < 2; i++) {
@@ -311,7 +311,7 @@ static double swept_saddle(const vs_section *a, const vs_section *b, vs_vec2 p, 
     at[i][0] = vs_v3_add(vs_v3_add(vs_v3_scale(s->x, p.x), vs_v3_scale(s->y, p.y)), s->at);
     at[i][1] = vs_v3_add(vs_v3_add(vs_v3_scale(s->x, q.x), vs_v3_scale(s->y, q.y)), s->at);
   }
-  for (int c = 0; c < 4; c++) { /* of the normals at the four corners, uses the longest */
+  for (int c = 0; c < 4; c++) { /* uses the longest of the normals at the four corners */
     int i = c / 2, j = c % 2;
     vs_vec3 n = vs_v3_cross(vs_v3_sub(at[1][j], at[0][j]), vs_v3_sub(at[i][1], at[i][0]));
     if (vs_v3_length(n) > vs_v3_length(most)) most = n;
@@ -321,10 +321,10 @@ static double swept_saddle(const vs_section *a, const vs_section *b, vs_vec2 p, 
   return length > 0 ? fabs(vs_v3_dot(bend, most)) / length / 4 : 0;
 }
 
-/* Divides the parts of a path between neighbouring sections whose walls are not planar. An upright profile turns where
- * its path climbs out of a bend. A profile that grows or shrinks between two mitres has curved walls, too. Such parts
- * are divided into n steps and the edges into k pieces. The deviation of the triangles, which decreases with n k, is
- * then within the tolerance. If the sweep has a seam, the edges are not divided. */
+/* Divides parts of the path between two sections where the walls are not planar: an upright profile turns where the
+ * path climbs out of a bend, and a profile that grows or shrinks between two mitres has curved walls. Such a part is
+ * divided into n steps and each edge into k pieces, so that the deviation of the triangles, which decreases with n k,
+ * is within the tolerance. If the sweep has a seam, edges are not divided. Returns false when memory is out. */
 static bool swept_flatten(vs_swept *s, const vs_fineness *f) {
   enum { MOST = 200 };
   size_t count = s->section_count, total = 0, *pieces = NULL, *steps = NULL;
@@ -334,8 +334,8 @@ static bool swept_flatten(vs_swept *s, const vs_fineness *f) {
   for (size_t r = 0; ok && r < count; r++) {
     const vs_section *a = &s->sections[r], *b = &s->sections[r + 1 == count ? 0 : r + 1];
     bool goes = !a->ends && (s->joined || r + 1 < count);
-    for (int pass = 0; pass < 2; pass++) { /* the first pass computes the steps, by the edge with the largest deviation;
-                                            * the second pass the pieces of each edge */
+    for (int pass = 0; pass < 2; pass++) { /* the first pass computes the number of steps, from the edge with the
+                                            * largest deviation; the second pass computes the pieces of each edge */
       double most = 0;
       for (size_t l = 0, first = 0; goes && l < s->loop_count; first += s->sizes[l], l++)
         for (size_t i = 0; i + !s->filled < s->sizes[l]; i++) {
@@ -372,41 +372,40 @@ static bool swept_flatten(vs_swept *s, const vs_fineness *f) {
   return ok;
 }
 
-/* How the profile is placed at a point of the path, relative to the moving frame. lean: inclination of its section;
- * spin: angle in radians by which it is turned. */
+/* How the profile is placed at a point of the path. lean: inclination vector of its section; spin: angle in radians by
+ * which it is turned relative to the moving frame. */
 typedef struct { vs_vec3 lean; double spin; } swept_stance;
 
 /* How a profile moves along a path. */
 typedef struct {
-  vs_vec3 x;                 /* first direction (X) of the profile at the start of the path, a unit vector in space;
-                              * unused if `upright` is not NULL */
-  const vs_upright *upright; /* if not NULL: the data that keep the profile upright along the entire path */
+  vs_vec3 x;                 /* first direction (X) of the profile at the start of the path, a unit vector in space; not
+                              * used if `upright` is set */
+  const vs_upright *upright; /* if not NULL: the profile is kept upright along the entire path, in this way */
   double twist, scale;       /* twist: rotation of the profile at the end of the path, in radians; scale: its scale
                               * there */
-  vs_vec2 base;              /* point of the profile that moves along the path */
-  double reach;              /* greatest distance of the profile's points from `base`, the point that moves along the
-                              * path */
+  vs_vec2 base;              /* point of the profile that moves on the path, in the profile's coordinates */
+  double reach;              /* greatest distance of the profile's points from `base` */
 } swept_way;
 
-/* Sets *closing to the angle by which a profile must turn, evenly along a closed path, so that its end coincides with
- * its start. x: first direction of the profile at the start. Returns false when memory is out. */
+/* Sets *closing to the angle, in radians, by which a profile must turn evenly along a closed path so that its end
+ * coincides with its start. x: first direction of the profile at the start. Returns false when memory is out. */
 static bool swept_closing(const vs_path *path, vs_vec3 x, double *closing) {
   vs_vec3 *carried = vs_fresh(path->count, sizeof *carried);
   if (carried) *closing = -vs_frame_transport(path->at, path->count, true, path->length, x, carried);
   free(carried);
-  if (fabs(*closing) < 1e-9) *closing = 0; /* an angle below 1e-9 is only a rounding error */
+  if (fabs(*closing) < 1e-9) *closing = 0; /* an angle below 1e-9 radians is only a rounding error */
   return carried != NULL;
 }
 
-/* Makes the sections along a path; this function may change the path's points, and divides the path for a twist.
- * Returns false and sets e on failure. */
+/* Makes the sections along a path. May change the path's points, and divides the path for a twist. Returns false and
+ * sets e on failure. */
 static bool swept_along(vs_swept *s, vs_path *path, const swept_way *way, const vs_fineness *f, vs_error *e) {
   const vs_upright *upright = way->upright;
   double twist = way->twist, scale = way->scale, reach = way->reach;
   vs_vec2 base = way->base;
   vs_path fine = { 0 };
   vs_vec3 *carried = NULL;
-  swept_stance *stance = NULL; /* stance[i]: how the profile is placed at point i of `fine` */
+  swept_stance *stance = NULL; /* stance[i]: how the profile is placed at point i of the path `fine` */
   size_t stances = 0;
   bool ok = true;
   double widest = fmax(1, fabs(scale)), rest = twist - full_turn * nearbyint(twist / full_turn), closing = 0;
@@ -417,8 +416,8 @@ static bool swept_along(vs_swept *s, vs_path *path, const swept_way *way, const 
   ok = all_steps > 0;
   for (size_t i = 0; i < path->count; i++) meets = meets && !swept_turns_back(&path->at[i]);
   if (ok && meets && !joins && s->filled) ok = swept_seam(s, base, rest, reach);
-  bool seam = s->seam != NULL; /* true if the turned profile coincides with itself, such as a square after a quarter
-                                * turn, so that the start and end of the sweep can be joined */
+  bool seam = s->seam != NULL; /* true if start and end of the sweep can be joined, because the turned profile coincides
+                                * with itself, as a square does after a quarter turn */
   if (!path->closed) { /* the first and the last section of an open path are perpendicular to it */
     path->at[0].arriving = path->at[0].leaving;
     path->at[path->count - 1].leaving = path->at[path->count - 1].arriving;
@@ -440,8 +439,8 @@ static bool swept_along(vs_swept *s, vs_path *path, const swept_way *way, const 
     }
   }
   const vs_path_point *last = path->closed ? &path->at[0] : &path->at[path->count - 1];
-  bool ends = !joins; /* true if start and end of a closed path cannot be joined, so that the first point of the path is
-                       * repeated as the last */
+  bool ends = !joins; /* true if the start and end of a closed path cannot be joined; the first point of the path is
+                       * then repeated as the last */
   if (ends) {
     ok = ok && vs_path_add(&fine, last->at, last->arriving, last->leaving);
     if (ok) stance[fine.count - 1] = (swept_stance){ swept_lean(last, last->leaving), 0 };
@@ -485,9 +484,8 @@ static bool swept_along(vs_swept *s, vs_path *path, const swept_way *way, const 
 
 /* ---- the three kinds: extrude, sweep and thicken ---- */
 
-/* Divides a filled extrusion, along a path on which the profile does not turn, into pieces. Each piece moves to one
- * side of the profile's plane. Returns false and sets e if the profile moves within its plane, because it then fills no
- * volume. */
+/* Divides a solid extrusion along a path into pieces, each of which moves to one side of the profile's plane. The
+ * profile does not turn. Returns false and sets e if the profile moves within its plane, where it fills no volume. */
 static bool swept_pieces(vs_swept *s, const vs_profile_plane *plane, const vs_path *path, vs_error *e) {
   double side = 0;
   size_t stretches = path->closed ? path->count : path->count - 1;
@@ -533,7 +531,7 @@ static bool swept_extrude(vs_swept *s, const vs_node *n, const vs_fineness *f, v
   vs_vec3 middle =
       vs_v3_add(plane.origin, vs_v3_add(vs_v3_scale(plane.x, plane.base.x), vs_v3_scale(plane.y, plane.base.y)));
   vs_vec3 way = ok ? vs_v3_sub(path.at[path.count - 1].at, path.at[0].at) : none;
-  /* hand: sign of a twist, which is about the direction in which the profile moves */
+  /* hand: 1, or -1 if the profile moves against its normal; a twist turns about the direction of the movement */
   double rises = vs_v3_dot(vs_v3_unit(way), plane.normal), hand = rises < 0 ? -1 : 1;
   if (ok && !curve && s->filled && fabs(rises) < 1e-9)
     ok = vs_error_set(e, VS_ERROR_MODEL, NULL,
@@ -581,7 +579,7 @@ static bool swept_sweep(vs_swept *s, const vs_node *n, const vs_fineness *f, vs_
     vs_affine turn = vs_frame_turn(plane.normal, path.at[0].leaving);
     const vs_node *c = n->children[0].node;
     while (c->child_count == 1) c = c->children[0].node;
-    /* round: true for a circle that is swept along a circle, whose shape does not depend on a twist */
+    /* round: true for a circle that is swept along a circle; a twist does not change the shape of this solid */
     bool round = path.closed && !w->has_base && vs_profile_circle(n->children[0].node) > 0 && c->kind == VS_CIRCLE &&
                  VS_AS(circle, c)->segments <= 0;
     vs_upright upright = { 0 };

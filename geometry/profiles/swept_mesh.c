@@ -7,9 +7,9 @@
 #include "geometry/profiles/overturn.h"
 #include "model/store/array.h"
 
-/* Points of a sweep's sections. The array `at` has the points of all sections, one section after another, and then
- * those of the first section again. The element turns[i] is true if a part of the profile goes backwards from section i
- * to the next. The array `numbers` has room for the vertices of all points. */
+/* Points of a sweep's sections. at: the points of all sections, one section after another, and then those of the first
+ * section again. turns[i]: true if a part of the profile goes backwards from section i to the next. numbers: memory for
+ * the vertex of each point. */
 typedef struct {
   vs_vec3 *at;
   bool *turns;
@@ -43,8 +43,8 @@ static bool lay(const vs_swept *s, laid *l) {
   return true;
 }
 
-/* Returns the grid of `rows` sections from index `first` on, which are a piece of the sweep, some of its steps, or the
- * whole sweep. */
+/* Returns the grid of `rows` sections, beginning with section `first`: a piece of the sweep, some of its steps, or all
+ * of it. */
 static vs_quad_grid grid_of(const vs_swept *s, const laid *l, size_t first, size_t rows) {
   return (vs_quad_grid){ .at = l->at + first * s->profile_count, .rows = rows, .columns = s->profile_count,
                          .sizes = s->sizes, .hole = s->hole, .loop_count = s->loop_count, .round = s->filled,
@@ -66,7 +66,8 @@ static bool mesh_of(const vs_swept *s, const vs_quad_grid *g, bool may_be_inside
   return !back || vs_overturn_fill(&(vs_overturn_rows){ s, g->numbers, g->by_number, steps, inside_out }, first, out);
 }
 
-/* Returns the index of the last section of the piece that begins with section `first`. Nothing connects two pieces. */
+/* Returns the index of the last section of the piece that begins with section `first`. A sweep may consist of pieces
+ * that no walls connect. */
 static size_t piece_end(const vs_swept *s, size_t first) {
   size_t end = first;
   while (end + 1 < s->section_count && !s->sections[end].ends) end++;

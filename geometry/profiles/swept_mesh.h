@@ -1,5 +1,5 @@
-/* Declares, for use in geometry/ alone, the triangles between the sections of a sweep, for all steps together or in
- * groups of some steps. */
+/* Declares the triangles between the sections of a sweep, for use in geometry/ alone: of all steps together, or of
+ * groups of steps. */
 #ifndef VS_GEOMETRY_PROFILES_SWEPT_MESH_H
 #define VS_GEOMETRY_PROFILES_SWEPT_MESH_H
 
@@ -13,14 +13,14 @@ bool vs_swept_mesh(const vs_swept *s, vs_mesh *out); /* appends the triangles of
  * out. */
 bool vs_swept_turns(const vs_swept *s, bool *turns);
 
-/* Makes closed meshes (runs) of the given number of steps each, whose union is the solid. Each run also has one step in
- * common with the next run: if two runs only touched in a wall, rounding of corners would make a crack. The winding
- * number of a run is above 0 exactly in the places through which the profile passes in its steps. The sections must be
- * across a path. The caller frees the meshes and their array. Returns false, without meshes, when memory is out. */
+/* Divides the sweep into runs of the given number of steps, and makes a closed mesh of each; their union is the solid.
+ * Each run also has the first step of the next run: runs that only touched would leave a crack after rounding. The
+ * winding number of a run is above 0 exactly where the profile passes in its steps. The sections are across a path. The
+ * caller frees the meshes and their array. Returns false, without meshes, when memory is out. */
 bool vs_swept_runs(const vs_swept *s, size_t steps, vs_mesh **runs, size_t *count);
 
-/* Writes at most `most` random points from the steps in which a part of the profile goes backwards (overturn.h) to out.
- * *count: their number. Returns false when memory is out. */
+/* Writes at most `most` random points to out, from the steps in which a part of the profile goes backwards
+ * (overturn.h). *count: number of points. Returns false when memory is out. */
 bool vs_swept_samples(const vs_swept *s, vs_step_point *out, size_t most, size_t *count);
 
 /* Appends triangles that fill a region or closed profile, in its plane, to out. Returns false when memory is out. */

@@ -2,9 +2,9 @@
  *
  * A stretch between two stations that turns by the angle d deviates from its chord by 1 - cos(d/2) times the radius. On
  * the outer side of a bend this radius is that of the path plus the extent of the profile. The path is sampled at half
- * the tolerance, which is fine enough for each profile whose extent is at most the radius of the bend. Therefore two
- * sweeps along one path share their stations. For a larger profile, a stretch is divided into 2, 4, 8 ... parts. The
- * new points lie on the cubic curve with the stretch's ends and directions. */
+ * the tolerance, which is fine enough for each profile whose extent is at most the radius of the bend. Two sweeps along
+ * one path thus have equal stations. For a larger profile, a stretch is divided into 2, 4, 8 ... parts. The new points
+ * lie on the cubic curve with the stretch's ends and directions. */
 #include "geometry/profiles/swept_path.h"
 
 #include <math.h>
@@ -17,8 +17,8 @@ static vs_vec3 between(vs_vec3 a, vs_vec3 b, double t) {
 
 static double angle_of(vs_vec3 a, vs_vec3 b) { return atan2(vs_v3_length(vs_v3_cross(a, b)), vs_v3_dot(a, b)); }
 
-/* Returns the direction at the fraction t of a rotation with constant speed from direction a to b; d is the angle
- * between them. */
+/* Returns the direction at the fraction t of an even rotation from direction a to direction b. d: angle between a and
+ * b, in radians. */
 static vs_vec3 turned(vs_vec3 a, vs_vec3 b, double d, double t) {
   if (d < 1e-6) return vs_v3_unit(between(a, b, t));
   return vs_v3_unit(vs_v3_add(vs_v3_scale(a, sin((1 - t) * d)), vs_v3_scale(b, sin(t * d))));
@@ -52,7 +52,7 @@ static bool cut(const vs_path_point *p, const vs_path_point *q, size_t n, vs_pat
   return ok;
 }
 
-/* Sets *chosen to true if a part of the curve sets its number of segments. Returns false when memory is out. */
+/* Sets *chosen to true if some part of the curve sets its own number of segments. Returns false when memory is out. */
 static bool has_segments(const vs_node *curve, bool *chosen) {
   vs_walk *w = vs_walk_new(curve->store, (vs_ref){ (vs_node *)(uintptr_t)curve, NULL });
   vs_walk_event event = w ? VS_WALK_ENTER : VS_WALK_FAILED;

@@ -23,43 +23,43 @@
 typedef struct { uint32_t *at; size_t count, room; } taper_chain;
 
 typedef struct { /* A piece of an edge of the profile, or the entire edge if it was never split. */
-  vs_vec2 normal, way;      /* unit vectors: way is the direction of the edge, with the material on its left; normal
-                             * points into the material */
+  vs_vec2 normal, way;      /* normal: unit normal of the edge into the material; way: unit direction of the edge, with
+                             * the material on its left */
   double line;              /* scalar product of `normal` with any point of the edge at the bottom of the wall */
-  size_t before, after;     /* indices of the neighbouring edges in the current loop */
-  taper_chain left, right;  /* vertices along the paths of the edge's two corners, upwards; left: of the corner with the
-                             * edge `before`; right: with the edge `after` */
-  vs_vec2 corner;           /* position of the corner between this edge and the edge `after` at the time `since`, when
-                             * the corner's velocity last changed */
+  size_t before, after;     /* indices of the edges before and after this one in the current loop */
+  taper_chain left, right;  /* vertices on the paths of the edge's two corners, upwards. left: path of the corner with
+                             * the edge `before`; right: path of the corner with the edge `after`. */
+  vs_vec2 corner;           /* the corner between this edge and the edge `after`: its position at the time `since`, when
+                             * its velocity last changed */
   double since;
-  size_t next_piece;        /* index of the next piece of this edge's wall, to the left; SIZE_MAX: there is none */
+  size_t next_piece;        /* index of the next piece of this edge's wall, to the left; SIZE_MAX if there is none */
   uint32_t stamp, corner_stamp;
   bool gone;
 } taper_edge;
 
 typedef struct {
   double d;
-  size_t edge, wall /* An event at edge `edge`. If wall is SIZE_MAX, the edge vanishes; otherwise the corner between it
-                     * and the edge `after` hits the wall. */;
+  size_t edge, wall /* An event: if wall is SIZE_MAX, `edge` vanishes; otherwise the corner between `edge` and the edge
+                     * `after` hits the edge number `wall`. */;
   uint32_t stamp;
 } taper_event;
 
 typedef struct {
   taper_edge *edges;
-  size_t count, room, walls; /* number of edges; the first `walls` edges are those of the profile, the others are
-                              * pieces */
+  size_t count, room, walls; /* count: number of edges; walls: the first `walls` of them are the edges of the profile;
+                              * the others are pieces of these */
   taper_event *events;
   size_t event_count, event_room;
-  double sign, end, size;   /* sign: 1 if the edges move inwards, -1 outwards; end: greatest d, the distance by which
-                             * edges move up to the top; size: size of the profile */
+  double sign, end, size;   /* sign: 1 if the edges move inwards, -1 outwards; end: distance by which the edges move
+                             * from the bottom to the top; size: size of the profile */
   vs_mesh *out;
-  vs_vec2 *flat;            /* flat, d: position in the plane, and distance d, of each vertex of out from vertex `first`
-                             * on */
+  vs_vec2 *flat;            /* for each vertex of out, from vertex `first` on: flat: its position in the profile's
+                             * plane; d: the distance by which edges have moved at its height */
   double *level;
   size_t flat_room;
   uint32_t first;
   const vs_affine *frame;   /* map from (u, v, 0) in the profile's plane to space */
-  vs_vec3 rise;             /* vector in space by which the profile moves from d = 0 to d = end */
+  vs_vec3 rise;             /* vector in space from the bottom to the top, by which the profile moves */
 } taper;
 
 static double taper_dot(vs_vec2 a, vs_vec2 b) { return a.x * b.x + a.y * b.y; }
@@ -87,8 +87,8 @@ static bool taper_vertex(taper *t, vs_vec2 p, double d, uint32_t *index) {
 
 /* ---- corners of two edges ---- */
 
-/* Computes the velocity of the corner between edges i and j, per unit of d. Returns false if the edges are
- * antiparallel, so that there is no velocity. */
+/* Computes the velocity of the corner between edges i and j, as movement for each unit by which the edges move. Returns
+ * false if the edges are antiparallel, so that the corner has no velocity. */
 static bool taper_speed(const taper *t, size_t i, size_t j, vs_vec2 *speed) {
   vs_vec2 a = t->edges[i].normal, b = t->edges[j].normal;
   double k = 1 + taper_dot(a, b);
@@ -98,8 +98,9 @@ static bool taper_speed(const taper *t, size_t i, size_t j, vs_vec2 *speed) {
   return true;
 }
 
-static vs_vec2 taper_corner(const taper *t, size_t i, double d) { /* returns the position at the time d of the corner
-                                                                   * between edge i and the edge after it */
+static vs_vec2 taper_corner(const taper *t, size_t i, double d) { /* returns the position of the corner between edge i
+                                                                   * and the edge after it, when the edges have moved by
+                                                                   * d */
   const taper_edge *e = &t->edges[i];
   vs_vec2 speed;
   taper_speed(t, i, e->after, &speed);
@@ -148,15 +149,15 @@ static taper_event taper_next(taper *t) {
   return first;
 }
 
-/* Returns the time d at which edge i vanishes. Returns INFINITY if it does not vanish while its neighbours stay the
- * same. now: the present time. */
+/* Returns the time d at which edge i vanishes. Returns INFINITY if it does not vanish as long as its neighbours stay.
+ * now: the present time. */
 static double taper_vanishes(const taper *t, size_t i, double now) {
   size_t p = t->edges[i].before, q = t->edges[i].after;
   vs_vec2 left, right, way = t->edges[i].way;
   bool stuck_p = !taper_speed(t, p, i, &left), stuck_q = !taper_speed(t, i, q, &right);
   VS_ASSERT(i < t->count);
-  if (stuck_p || stuck_q) { /* a neighbour lies on the line of edge i but in the opposite direction, so the shorter of
-                             * these two edges vanishes at once */
+  if (stuck_p || stuck_q) { /* a neighbour lies on the line of edge i with the opposite direction, so the shorter of the
+                             * two vanishes at once */
     double own = taper_length(t, i, now), other = stuck_p ? taper_length(t, p, now) : taper_length(t, q, now);
     return own <= other ? now : INFINITY;
   }
@@ -171,7 +172,7 @@ static bool taper_expect_vanishing(taper *t, size_t i, double now) {
   return taper_expect(t, (taper_event){ taper_vanishes(t, i, now), i, SIZE_MAX, ++t->edges[i].stamp });
 }
 
-/* Adds events for the walls that the corner between edge i and the edge after it may hit. Returns false when memory is
+/* Adds events for the edges that the corner between edge i and the edge after it may hit. Returns false when memory is
  * out. */
 static bool taper_expect_hits(taper *t, size_t i, double now) {
   vs_vec2 speed, at = taper_corner(t, i, now);
@@ -187,7 +188,7 @@ static bool taper_expect_hits(taper *t, size_t i, double now) {
   return true;
 }
 
-/* Makes the different edges p and q neighbours. Their corner is at the position `at` at the time d. */
+/* Makes edges p and q, which differ, neighbours. The corner between them is at the position `at` at the time d. */
 static void taper_join(taper *t, size_t p, size_t q, vs_vec2 at, double d) {
   VS_ASSERT(p != q);
   t->edges[p].after = q;
@@ -196,8 +197,8 @@ static void taper_join(taper *t, size_t p, size_t q, vs_vec2 at, double d) {
   t->edges[p].since = d;
 }
 
-/* Ends a loop that consists only of the two edges p and q. Their corner at `at` has the vertex v. Returns false when
- * memory is out. */
+/* Ends a loop that consists of only two edges, p and q. The vertex v is at their corner, at the position `at`. Returns
+ * false when memory is out. */
 static bool taper_finish(taper *t, size_t p, size_t q, double d, vs_vec2 at, uint32_t v) {
   vs_vec2 other = taper_corner(t, q, d);
   uint32_t w = v;
@@ -207,8 +208,8 @@ static bool taper_finish(taper *t, size_t p, size_t q, double d, vs_vec2 at, uin
   return ok && taper_push(&t->edges[q].right, w) && taper_push(&t->edges[p].left, w);
 }
 
-/* Continues after an event at the corner between edge p and the edge after it: ends the loop if it has two edges, else
- * adds new events. Returns false when memory is out. */
+/* Continues after an event at the corner between edge p and the edge after it: ends the loop if it has only two edges,
+ * else adds new events. Returns false when memory is out. */
 static bool taper_settle(taper *t, size_t p, double d, uint32_t v) {
   size_t q = t->edges[p].after;
   if (t->edges[p].gone) return true;
@@ -216,15 +217,15 @@ static bool taper_settle(taper *t, size_t p, double d, uint32_t v) {
   return taper_expect_vanishing(t, p, d) && taper_expect_vanishing(t, q, d) && taper_expect_hits(t, p, d);
 }
 
-/* Removes edge i, which vanishes at the time d. Its neighbours become neighbours of each other. Returns false when
- * memory is out. */
+/* Removes edge i, which vanishes at the time d, and makes its two neighbours neighbours of each other. Returns false
+ * when memory is out. */
 static bool taper_remove(taper *t, size_t i, double d) {
   taper_edge *e = &t->edges[i];
   size_t p = e->before, q = e->after;
   vs_vec2 speed, a = taper_corner(t, p, d), b = taper_corner(t, i, d);
   bool stuck_p = !taper_speed(t, p, i, &speed), stuck_q = !taper_speed(t, i, q, &speed);
-  /* If a neighbour runs against the edge, the edge vanishes at once, at its other corner. The neighbours continue from
-   * there. */
+  /* A neighbour with the opposite direction lies on the edge: the edge vanishes at once, at its other corner. Otherwise
+   * it vanishes at its middle. */
   vs_vec2 at = stuck_p ? b : stuck_q ? a : (vs_vec2){ (a.x + b.x) / 2, (a.y + b.y) / 2 };
   uint32_t v, w;
   bool ok = taper_vertex(t, at, d, &v);
@@ -240,8 +241,8 @@ static bool taper_remove(taper *t, size_t i, double d) {
   return ok && taper_settle(t, p, d, v);
 }
 
-/* Returns the piece of the wall that contains the position `at` at the time d, or SIZE_MAX if there is none. Edges p
- * and q do not count. */
+/* Returns the piece of a wall's edge that contains the position `at` at the time d, or SIZE_MAX if there is none.
+ * Pieces p and q are ignored. */
 static size_t taper_piece_at(const taper *t, size_t wall, vs_vec2 at, double d, size_t p, size_t q) {
   double slack = 1e-9 * t->size;
   for (size_t i = wall; i != SIZE_MAX; i = t->edges[i].next_piece) {
@@ -255,13 +256,14 @@ static size_t taper_piece_at(const taper *t, size_t wall, vs_vec2 at, double d, 
   return SIZE_MAX;
 }
 
-/* Splits a piece of the wall at the corner between edge p and the edge after it. The loop of p continues along one part
- * of the piece (ahead), and the loop of the edge after p along the other part (behind). */
+/* Splits a piece of a wall's edge at the corner between edge p and the edge after it. The first part (ahead) follows p
+ * in p's loop; the second part (behind) precedes the edge after p in its loop. Returns false when memory is out. */
 static bool taper_split(taper *t, size_t p, size_t wall, double d) {
   size_t q = t->edges[p].after;
   vs_vec2 at = taper_corner(t, p, d);
   size_t ahead = taper_piece_at(t, wall, at, d, p, q);
-  /* Each corner can split a wall only once; more splits are the result of rounding errors and are ignored. */
+  /* Each corner can split an edge only once. If there are more pieces, rounding errors have made them, and they are
+   * ignored. */
   if (ahead == SIZE_MAX || t->count >= 3 * t->walls) return true;
   if (!VS_GROW(t->edges, t->room, t->count + 1)) return false;
   size_t behind = t->count++;
@@ -296,7 +298,7 @@ static bool taper_run(taper *t) {
     if (e.d > now) now = e.d;
     if (!(e.wall == SIZE_MAX ? taper_remove(t, e.edge, now) : taper_split(t, e.edge, e.wall, now))) return false;
   }
-  for (size_t i = 0; i < t->count; i++) { /* the edges that have not vanished reach the top */
+  for (size_t i = 0; i < t->count; i++) { /* the edges that are left have not vanished, so they reach the top */
     if (t->edges[i].gone) continue;
     uint32_t v;
     if (!taper_vertex(t, taper_corner(t, i, t->end), t->end, &v) || !taper_push(&t->edges[i].right, v) ||
@@ -318,8 +320,8 @@ static bool taper_wall(taper *t, size_t wall) {
   vs_vec2 *at = vs_fresh(n, sizeof *at);
   uint32_t *index = vs_fresh(n, sizeof *index);
   bool ok = at && index;
-  /* Collects the wall's border: from piece to piece from right to left, upwards on the right side of each and downwards
-   * on its left side. */
+  /* Collects the border of the wall: visits its pieces from right to left, and goes upwards on the right side of each
+   * piece and downwards on its left side. */
   for (size_t i = wall; ok && i != SIZE_MAX; i = t->edges[i].next_piece) {
     const taper_edge *p = &t->edges[i];
     for (size_t j = 0; j < p->right.count; j++)
@@ -328,8 +330,8 @@ static bool taper_wall(taper *t, size_t wall) {
       if (!(k && index[k - 1] == p->left.at[j])) index[k++] = p->left.at[j];
   }
   while (k > 1 && index[k - 1] == index[0]) k--;
-  for (size_t i = 0; ok && i < k; i++) { /* Triangulates the wall in the coordinates (position along the edge, d). Its
-                                          * slope does not matter for that. */
+  for (size_t i = 0; ok && i < k; i++) { /* Triangulates the wall in the coordinates (position along the edge, d), in
+                                          * which its slope does not appear. */
     vs_vec2 p = t->flat[index[i] - t->first];
     at[i] = (vs_vec2){ taper_dot(p, e->way), t->level[index[i] - t->first] };
   }
@@ -351,7 +353,7 @@ static void taper_free(taper *t) {
 }
 
 /* Returns true if the corner of two edges with the directions a and b would move more than four times as fast as the
- * edges. An edge of length 0 then cuts it off. */
+ * edges. The caller then cuts it off with an edge of length 0. */
 static bool taper_is_sharp(const taper *t, vs_vec2 a, vs_vec2 b) {
   return t->sign * taper_cross(a, b) < 0 && 1 + taper_dot(a, b) < 0.125;
 }
@@ -362,7 +364,8 @@ static void taper_add_edge(taper *t, vs_vec2 to, vs_vec2 way) {
       (taper_edge){ .way = way, .normal = normal, .line = taper_dot(normal, to), .corner = to, .next_piece = SIZE_MAX };
 }
 
-/* Appends the edges of one loop of n points, and their vertices at the bottom. Returns false when memory is out. */
+/* Appends the edges of a loop of n points, and vertices at the bottom. below: receives these vertices. Returns false
+ * when memory is out. */
 static bool taper_loop(taper *t, const vs_vec2 *p, size_t n, uint32_t *below) {
   size_t first = t->count;
   for (size_t i = 0; i < n; i++) {
@@ -385,13 +388,13 @@ static bool taper_loop(taper *t, const vs_vec2 *p, size_t n, uint32_t *below) {
     taper_edge *e = &t->edges[first + i];
     e->before = first + (i + count - 1) % count;
     e->after = first + (i + 1) % count;
-    /* An edge of length 0 shares the bottom vertex of the edge before it. */
+    /* An edge of length 0 has the bottom vertex of the edge before it, instead of its own. */
     vs_vec2 q = e->corner, before = t->edges[e->before].corner;
     uint32_t v = 0;
     if (i && q.x == before.x && q.y == before.y) v = t->edges[e->before].right.at[0];
     else {
       ok = taper_vertex(t, q, 0, &v);
-      below[shown++] = v; /* below[0] is the vertex of p[1]; the last element is the vertex of p[0] */
+      below[shown++] = v; /* below begins with the vertex of p[1] and ends with the vertex of p[0] */
     }
     ok = ok && taper_push(&e->right, v);
   }
@@ -400,7 +403,7 @@ static bool taper_loop(taper *t, const vs_vec2 *p, size_t n, uint32_t *below) {
   return ok;
 }
 
-/* A loop at the top of the extrusion: its points are first to first + size - 1. */
+/* A loop at the top of the extrusion: its points have the indices first to first + size - 1. */
 typedef struct { size_t first, size; double area; } taper_ring;
 
 static bool taper_ring_holds(const vs_vec2 *at, const taper_ring *r, vs_vec2 p) {
@@ -412,8 +415,8 @@ static bool taper_ring_holds(const vs_vec2 *at, const taper_ring *r, vs_vec2 p) 
   return inside;
 }
 
-/* Appends the triangles at the top of the extrusion. Each outer loop gets the holes that it contains, unless a smaller
- * outer loop contains them. Returns false when memory is out. */
+/* Appends the triangles at the top of the extrusion. A hole belongs to the smallest outer loop that contains it.
+ * Returns false when memory is out. */
 static bool taper_top(taper *t) {
   size_t total = 0, rings = 0;
   for (size_t i = 0; i < t->count; i++) total += !t->edges[i].gone;
@@ -422,8 +425,8 @@ static bool taper_top(taper *t) {
   size_t *sizes = vs_fresh(total + 1, sizeof *sizes), *holder = vs_fresh(total + 1, sizeof *holder), k = 0;
   taper_ring *ring = vs_fresh(total + 1, sizeof *ring);
   bool ok = at && loop && index && row && sizes && holder && ring;
-  for (size_t i = 0; ok && i < t->count; i++) { /* each edge belongs to one loop, so an edge that was used is marked as
-                                                 * gone */
+  for (size_t i = 0; ok && i < t->count; i++) { /* each edge belongs to one loop, so an edge that is already in a loop
+                                                 * is marked as gone */
     if (t->edges[i].gone) continue;
     taper_ring *r = &ring[rings++];
     *r = (taper_ring){ .first = k };
@@ -512,8 +515,8 @@ bool vs_taper_straight(const vs_node *n, vs_vec3 way, const vs_fineness *f, vs_m
   t.walls = t.count;
   ok = ok && (taper_run(&t) || vs_error_memory(e, NULL));
   for (size_t i = 0; ok && i < t.walls; i++) ok = taper_wall(&t, i) || vs_error_memory(e, NULL);
-  /* Appends the triangles at the bottom: the profile as seen from below. `below` begins with the second point of each
-   * loop. */
+  /* Appends the triangles at the bottom: the profile as seen from below. In `below`, each loop begins with its second
+   * point. */
   for (size_t l = 0, from = 0; ok && l < o.count;) {
     size_t end = l + 1, count = sizes[l];
     while (end < o.count && o.hole[end]) count += sizes[end++];
@@ -523,8 +526,8 @@ bool vs_taper_straight(const vs_node *n, vs_vec3 way, const vs_fineness *f, vs_m
     l = end;
   }
   ok = ok && (taper_top(&t) || vs_error_memory(e, NULL));
-  if (ok && vs_v3_dot(way, o.normal) < 0) vs_mesh_turn(out, first_triangle); /* if the extrusion goes down, against the
-                                                                              * profile's normal, its triangles are
+  if (ok && vs_v3_dot(way, o.normal) < 0) vs_mesh_turn(out, first_triangle); /* the extrusion goes down, against the
+                                                                              * profile's normal, so its triangles are
                                                                               * reversed */
   taper_free(&t);
   free(flat);

@@ -15,8 +15,8 @@
 typedef struct { uint32_t a, b, at; } cut_point;
 typedef struct { cut_point *slots; size_t room, count; } cut_table;
 
-/* Returns the slot of the edge from a to b in the hash table, or a free slot if it is not there. t->room is a power of
- * two. */
+/* Returns the slot of the hash table that contains the edge from a to b, or a free slot if the table does not contain
+ * it. t->room is a power of two. */
 static cut_point *cut_slot(const cut_table *t, uint32_t a, uint32_t b) {
   size_t i = (size_t)((((uint64_t)a << 32 | b) * UINT64_C(0x9E3779B97F4A7C15)) >> 20) & (t->room - 1);
   VS_ASSERT(t->room > 0 && (t->room & (t->room - 1)) == 0);
@@ -37,13 +37,13 @@ static bool cut_begin(cut_table *t, size_t edges) {
   return true;
 }
 
-/* The mesh of a straight extrusion that is cut at heights, which are distances from the origin along the profile's
- * normal. */
+/* The mesh of a straight extrusion while it is cut at heights. A height is a distance from the origin along the
+ * profile's normal. */
 typedef struct {
   vs_mesh *m;
   size_t first_vertex, first; /* indices in mesh m of the extrusion's first vertex and first triangle */
   vs_vec3 origin, normal;
-  double near;                /* distance from a cut's height below which a vertex lies on the cut */
+  double near;                /* distance below which a vertex counts as lying at the height of a cut */
   cut_table table;
 } cut_solid;
 
@@ -52,8 +52,8 @@ static double cut_height(const cut_solid *s, vs_vec3 p) { return vs_v3_dot(vs_v3
 /* A vertex and its height. */
 typedef struct { uint32_t vertex; double height; } cut_end;
 
-/* Sets *at to the vertex where an edge crosses the height, between its ends below and above. Both triangles at the edge
- * share the vertex. Returns false when memory is out. */
+/* Sets *at to the vertex where an edge crosses the height; both triangles at the edge have this vertex. from, to: ends
+ * of the edge, below and above. Returns false when memory is out. */
 static bool cut_edge(cut_solid *s, cut_end from, cut_end to, double height, uint32_t *at) {
   uint32_t a = from.vertex, b = to.vertex;
   cut_point *p = a < b ? cut_slot(&s->table, a, b) : cut_slot(&s->table, b, a);
@@ -83,7 +83,7 @@ static bool cut_at(cut_solid *s, double height) {
     int sum = side[0] + side[1] + side[2], product = side[0] * side[1] * side[2];
     bool passes = product != 0 ? sum != 3 && sum != -3 : sum == 0 && (side[0] || side[1] || side[2]);
     if (!passes) continue;
-    /* Finds the corner of the triangle that is alone on its side of the height, or a corner exactly at the height. */
+    /* Finds the corner of the triangle that is alone on its side of the height, or a corner exactly at this height. */
     for (int k = 0; k < 3; k++)
       if (product != 0 ? side[k] != side[(k + 1) % 3] && side[k] != side[(k + 2) % 3] : side[k] == 0) up = k;
     int next = (up + 1) % 3, last = (up + 2) % 3;
@@ -101,8 +101,8 @@ static bool cut_at(cut_solid *s, double height) {
   return true;
 }
 
-/* Moves every vertex of the extrusion sideways by as much as the curve is displaced at the vertex's height. path: at
- * least two corners of the curve; heights: their heights, ascending. */
+/* Moves every vertex of the extrusion sideways, by the displacement of the curve at the vertex's height. path: corners
+ * of the curve, at least two; heights: heights of these corners, ascending. */
 static void move_along(const cut_solid *s, const vs_polyline *path, const double *heights) {
   vs_mesh *m = s->m;
   VS_ASSERT(s->first_vertex <= m->vertex_count && path->count >= 2);

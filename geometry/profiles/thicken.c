@@ -17,8 +17,8 @@ static int border_compare(const void *p, const void *q) {
   return x->key < y->key ? -1 : x->key > y->key;
 }
 
-/* Appends walls between the two copies, along the edges of the surface's border: edges of one facet, or of more facets
- * in one direction than in the other. up, down: first vertices of the copies. Returns false when memory is out. */
+/* Appends walls between the two copies along the surface's border: edges that facets contain more often in one
+ * direction than in the other. up, down: first vertices of the two copies. Returns false when memory is out. */
 static bool thicken_walls(vs_mesh *out, uint32_t (*facets)[3], size_t count, uint32_t up, uint32_t down) {
   vs_border *edges = vs_fresh(3 * count, sizeof *edges);
   bool ok = edges != NULL;
@@ -40,8 +40,8 @@ static bool thicken_walls(vs_mesh *out, uint32_t (*facets)[3], size_t count, uin
   return ok;
 }
 
-/* Returns true if the facets of the copy that begins at vertex `copy` face as those of the surface do. If not, *at is
- * the position of a reversed facet. */
+/* Returns true if the facets of a copy of the surface face as those of the surface do. copy: first vertex of this copy
+ * in out. Otherwise sets *at to the position of a reversed facet. */
 static bool thicken_keeps(const vs_mesh *m, uint32_t (*facets)[3], size_t count, const vs_mesh *out, uint32_t copy,
                           vs_vec3 *at) {
   for (size_t i = 0; i < count; i++) {
@@ -50,8 +50,8 @@ static bool thicken_keeps(const vs_mesh *m, uint32_t (*facets)[3], size_t count,
     vs_vec3 a = vs_v3_cross(vs_v3_sub(p[1], p[0]), vs_v3_sub(p[2], p[0]));
     vs_vec3 b = vs_v3_cross(vs_v3_sub(q[1], q[0]), vs_v3_sub(q[2], q[0]));
     bool keeps = vs_v3_dot(a, b) > 0;
-    for (int k = 0; k < 3; k++) /* also compares the edges, because a facet that is inverted through its centre has the
-                                 * same normal */
+    for (int k = 0; k < 3; k++) /* compares the directions of edges, too: a facet that is inverted through its centre
+                                 * has an unchanged normal */
       keeps = keeps && vs_v3_dot(vs_v3_sub(p[(k + 1) % 3], p[k]), vs_v3_sub(q[(k + 1) % 3], q[k])) > 0;
     if (!keeps) return *at = p[0], false;
   }

@@ -4,10 +4,10 @@
 
 #include "model/mesh.h"
 
-/* Appends the closed shell between two copies of the surface. The copies are at the distance `outwards` on the side
- * that its facets face, and at `inwards` on the other side. A closed surface becomes a shell with a cavity. *turns:
- * true if a facet of a copy is reversed, because the radius of the surface is less than the distance; *turned: position
- * of this facet. turns may be NULL. Returns false when memory is out. */
+/* Appends the closed shell between two copies of the surface: one at the distance `outwards`, on the side that its
+ * facets face, and one at `inwards` on the other side. A closed surface becomes a shell with a cavity. *turns: true if
+ * a facet of a copy is reversed, because the surface has a smaller radius than the distance; *turned: position of this
+ * facet. turns may be NULL. Returns false when memory is out. */
 bool vs_thicken_surface(const vs_mesh *surface, double outwards, double inwards, vs_mesh *out, vs_vec3 *turned,
                         bool *turns);
 

@@ -1,4 +1,4 @@
-/* Implements the search by NLopt in a thread (optimiser.h). */
+/* Implements the search by the library NLopt, which runs in a thread of its own (optimiser.h). */
 #include "geometry/search/optimiser.h"
 
 #include <math.h>
@@ -9,7 +9,7 @@
 #include "geometry/dynamic.h"
 #include "model/store/array.h"
 
-#define SEED 63 /* of the methods that draw random numbers: equal runs give equal results */
+#define SEED 63 /* seed for methods that use random numbers, so that equal searches have equal results */
 
 #define NLOPT_CALLS(X)                                                                                                 \
   X(nlopt_create) X(nlopt_destroy) X(nlopt_optimize) X(nlopt_set_min_objective) X(nlopt_add_inequality_constraint)     \
@@ -22,7 +22,7 @@ typedef struct {
 #undef X
 } nlopt_calls;
 
-/* A function of the problem, as NLopt's callback gets it. */
+/* Data for NLopt's callback: the search, and which of its functions is to be evaluated. */
 typedef struct { vs_search *search; size_t which; } asker;
 
 typedef enum { ASKED, ANSWERED, ENDED } turn;
@@ -31,11 +31,11 @@ struct vs_search {
   nlopt_calls call;
   nlopt_opt opt;
   vs_search_problem p;
-  double *numbers;  /* the memory of all arrays below */
-  double *x;        /* unknowns; after the end, the best ones */
-  double *slopes;   /* of the answer */
-  const double *at; /* unknowns of the question */
-  asker *askers;    /* of the function and the constraints */
+  double *numbers;  /* memory that contains the arrays x, slopes and others below */
+  double *x;        /* the unknowns; after the end of the search, the best ones */
+  double *slopes;   /* partial derivatives in the caller's answer */
+  const double *at; /* unknowns for which NLopt asks for a value */
+  asker *askers;    /* data for the callback of the function, and of each constraint */
   size_t which;
   double value;
   bool asks_slopes, stop;
@@ -43,7 +43,7 @@ struct vs_search {
   nlopt_result result;
   pthread_t thread;
   bool running;
-  pthread_mutex_t lock; /* guards all members that both threads use */
+  pthread_mutex_t lock; /* protects all members that both threads use */
   pthread_cond_t changed;
 };
 
@@ -78,7 +78,7 @@ static double ask(unsigned n, const double *x, double *slopes, void *data) {
 static void *search(void *context) {
   vs_search *s = context;
   double value = 0;
-  s->call.nlopt_srand(SEED); /* each thread has random numbers of its own */
+  s->call.nlopt_srand(SEED); /* seeds the random numbers here, because NLopt keeps them separately for each thread */
   nlopt_result result = s->call.nlopt_optimize(s->opt, s->x, &value);
   pthread_mutex_lock(&s->lock);
   s->result = result, s->value = value, s->at = s->x, s->turn = ENDED;

@@ -28,9 +28,10 @@ void vs_bend_drop(vs_bend_leaves *leaves) {
 
 static const uint32_t STAYS = UINT32_MAX, ASKED = UINT32_MAX - 1;
 typedef struct {
-  uint64_t edge;   /* number made of the edge's two vertices (edge_key); 0: the slot of the hash table is free */
-  uint32_t middle; /* vertex in the middle of the edge; STAYS: the edge is not cut; ASKED: the caller shall compute the
-                    * midpoint's image in this round */
+  uint64_t edge;   /* key of the edge, computed from its two vertex numbers (edge_key); 0: this slot of the hash table
+                    * is free */
+  uint32_t middle; /* vertex in the middle of the edge; STAYS: the edge is not cut; ASKED: the caller is to compute the
+                    * position of the edge's midpoint after the bending */
 } half;
 typedef struct {
   uint32_t a, b;
@@ -47,9 +48,10 @@ struct vs_bending {
   int rounds;
   half *table;
   size_t size, used;
-  vs_vec3 *wanted; /* points whose images the caller shall compute: first the vertices, later midpoints of edges */
+  vs_vec3 *wanted; /* points for which the caller is to compute positions after the bending: first the vertices, in
+                    * later rounds midpoints of edges */
   size_t wanted_count, wanted_room, edge_room;
-  asked_edge *edges; /* edges[i]: edge whose midpoint is wanted[i] */
+  asked_edge *edges; /* edges[i]: the edge whose midpoint is wanted[i] */
 };
 
 void vs_bending_free(vs_bending *b) {
@@ -81,8 +83,8 @@ vs_bending *vs_bending_new(const vs_bend_leaf *leaf, double tolerance, double lo
 
 const vs_vec3 *vs_bending_wanted(const vs_bending *b, size_t *count) { return *count = b->wanted_count, b->wanted; }
 
-static uint64_t edge_key(uint32_t a, uint32_t b) { /* the key of the edge from a to b is never 0, because a and b
-                                                    * differ */
+static uint64_t edge_key(uint32_t a, uint32_t b) { /* returns the key of the edge from a to b, which is never 0 because
+                                                    * a and b differ */
   return a < b ? (uint64_t)a << 32 | b : (uint64_t)b << 32 | a;
 }
 
@@ -108,8 +110,8 @@ static bool table_room(vs_bending *b) {
   return true;
 }
 
-/* Adds the midpoint of the edge from vertex p to q to the wanted points, if the edge is not in the table yet. Returns
- * false when memory is out. */
+/* If the edge between vertices p and q is not in the hash table yet, adds it, and its midpoint to the wanted points.
+ * Returns false when memory is out. */
 static bool ask(vs_bending *b, uint32_t p, uint32_t q) {
   if (p == q) return true;
   if (!table_room(b)) return false;
@@ -128,8 +130,8 @@ static uint32_t middle_of(const vs_bending *b, uint32_t p, uint32_t q) {
   return p == q ? STAYS : half_of(b->table, b->size, edge_key(p, q))->middle;
 }
 
-/* Cuts the triangles of a round: a triangle with one, two or three cut edges becomes two, three or four triangles.
- * Returns false when memory is out. */
+/* Cuts the triangles whose edges are cut in this round: a triangle with one, two or three cut edges becomes two, three
+ * or four triangles. Returns false when memory is out. */
 static bool cut_triangles(vs_bending *b) {
   vs_mesh *m = &b->mesh;
   size_t n = m->triangle_count;
@@ -140,9 +142,9 @@ static bool cut_triangles(vs_bending *b) {
     for (int k = 0; k < 3; k++) e[k] = middle_of(b, t[k], t[(k + 1) % 3]);
     int cuts = (e[0] != STAYS) + (e[1] != STAYS) + (e[2] != STAYS);
     if (!cuts) continue;
-    while ((cuts == 1 && e[0] == STAYS) || (cuts == 2 && e[2] != STAYS)) { /* rotates the triangle's corners so that the
-                                                                            * only cut edge gets index 0, or the two cut
-                                                                            * edges get 0 and 1 */
+    while ((cuts == 1 && e[0] == STAYS) || (cuts == 2 && e[2] != STAYS)) { /* rotates the triangle's corners, so that
+                                                                            * its only cut edge is edge 0, or its two
+                                                                            * cut edges are edges 0 and 1 */
       uint32_t t0 = t[0], e0 = e[0];
       t[0] = t[1], t[1] = t[2], t[2] = t0;
       e[0] = e[1], e[1] = e[2], e[2] = e0;
@@ -178,7 +180,7 @@ static bool cut_line(vs_bending *b) {
   return true;
 }
 
-/* Adds the midpoints of all edges that the last cuts have made to the wanted points. Returns false when memory is
+/* Adds the midpoints of all edges that the last round has made to the wanted points. Returns false when memory is
  * out. */
 static bool next_round(vs_bending *b) {
   bool ok = true;

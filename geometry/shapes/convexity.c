@@ -1,12 +1,12 @@
-/* Implements convexity.h. Polygons are rings of corners; a ring begins as a triangle. An edge between two coplanar
- * rings is removed if the ring that this makes is convex at the ends of the edge. Long edges are removed first. */
+/* Implements convexity.h. To make polygons, each triangle becomes a ring of corners. An edge between two coplanar rings
+ * is removed, which joins them, if the joined ring is convex at both ends of the edge. Long edges are removed first. */
 #include "geometry/shapes/convexity.h"
 
 #include <stdlib.h>
 
 #include "model/store/array.h"
 
-static const double SLACK = 1e-9; /* deviation that is ignored, as a part of the mesh's size */
+static const double SLACK = 1e-9; /* greatest deviation that counts as 0, as a fraction of the mesh's size */
 
 static vs_vec3 normal_of(const vs_mesh_edges *s, uint32_t t) {
   vs_vec3 a = vs_mesh_edges_place(s, t, 0), b = vs_mesh_edges_place(s, t, 1), c = vs_mesh_edges_place(s, t, 2);
@@ -18,13 +18,13 @@ static double size_of(const vs_mesh_edges *s) {
   return vs_bounds_diagonal(&b);
 }
 
-/* Returns the corner of triangle t that does not lie on edge e. */
+/* Returns the index, 0 to 2, of the corner of triangle t that does not lie on edge e. */
 static int across(const vs_mesh_edges *s, uint32_t t, uint32_t e) {
   return s->of[t][0] == e ? 0 : s->of[t][1] == e ? 1 : 2;
 }
 
-/* Returns the height of the second triangle's far corner above the first triangle at edge e. Returns INFINITY at a
- * border, and between triangles that face each other, as at an edge where two solids touch. */
+/* Returns the height, above the plane of the first triangle at edge e, of the second triangle's corner that is not on
+ * e. Returns INFINITY at a border, and if the triangles are folded onto each other, as where two solids touch. */
 static double rise(const vs_mesh_edges *s, uint32_t e, double slack) {
   const vs_mesh_edge *g = &s->edges[e];
   if (g->side[0] == VS_MESH_NONE || g->side[1] == VS_MESH_NONE) return INFINITY;
@@ -33,7 +33,8 @@ static double rise(const vs_mesh_edges *s, uint32_t e, double slack) {
   return fabs(h) <= slack && vs_v3_dot(n, normal_of(s, g->side[1])) < 0 ? INFINITY : h;
 }
 
-/* Returns true if all triangles are reached from the first across edges. Returns false also when memory is out. */
+/* Returns true if the mesh is connected: every triangle can be reached from the first across edges. Returns false also
+ * when memory is out. */
 static bool in_one_piece(const vs_mesh_edges *s) {
   size_t count = 0, reached = 1;
   uint32_t *open = NULL;
@@ -56,7 +57,7 @@ bool vs_mesh_is_convex(const vs_mesh_edges *s) {
   if (!s->m->triangle_count) return false;
   for (uint32_t e = 0; e < s->edge_count; e++)
     if (!(rise(s, e, slack) <= slack)) return false;
-  /* A closed surface in one piece whose edges all are convex bounds a convex solid. */
+  /* A connected closed surface on which every edge is convex bounds a convex solid. */
   return in_one_piece(s);
 }
 
@@ -84,14 +85,14 @@ bool vs_mesh_normal_caps(const vs_mesh_edges *s, vs_normal_cap *caps) {
   return true;
 }
 
-/* ---- polygons ---- */
+/* ---- joining triangles to polygons ---- */
 
 void vs_convex_faces_free(vs_convex_faces *c) {
   free(c->at), free(c->starts);
   *c = (vs_convex_faces){ 0 };
 }
 
-/* A corner of a ring: its vertex, and the ring's next and last corner. */
+/* A corner of a ring (polygon): its vertex, and the indices of the corners after and before it in the ring. */
 typedef struct {
   uint32_t vertex, next, last;
 } corner;
@@ -108,11 +109,12 @@ static int longest_first(const void *p, const void *q) {
 
 typedef struct {
   const vs_mesh_edges *s;
-  corner *ring; /* corner k of triangle t is element 3 t + k */
+  corner *ring; /* all corners; corner k of triangle t is element 3 t + k */
   double size;
 } rings;
 
-/* Returns true if the ring turns left at b, or runs straight on, on its way from a to c; it must not turn back. */
+/* Returns true if a path over the vertices a, b and c, as seen along `normal`, turns left at b or goes straight on.
+ * Returns false if it turns right or back. */
 static bool left(const rings *r, uint32_t a, uint32_t b, uint32_t c, vs_vec3 normal) {
   const vs_vec3 *v = r->s->m->vertices;
   vs_vec3 u = vs_v3_sub(v[b], v[a]), w = vs_v3_sub(v[c], v[b]);
@@ -120,18 +122,19 @@ static bool left(const rings *r, uint32_t a, uint32_t b, uint32_t c, vs_vec3 nor
   return turn > slack || (turn >= -slack && vs_v3_dot(u, w) > 0);
 }
 
-/* Removes edge e, whose triangles are coplanar, if both of its ends then are convex corners. */
+/* Removes edge e between two coplanar rings, which joins them, if the corners at both of its ends are then convex.
+ * normal: normal of the plane. */
 static void remove_edge(rings *r, uint32_t e, vs_vec3 normal) {
   const vs_mesh_edge *g = &r->s->edges[e];
   corner *c = r->ring;
-  /* The edge leads from corner a to b in one ring, and from corner p to q in the other. */
+  /* Edge e goes from corner a to corner b in one ring, and from corner p to corner q in the other. */
   uint32_t a = 3 * g->side[0] + (uint32_t)(across(r->s, g->side[0], e) + 1) % 3;
   uint32_t p = 3 * g->side[1] + (uint32_t)(across(r->s, g->side[1], e) + 1) % 3;
   uint32_t b = c[a].next, q = c[p].next;
   if (c[a].vertex != c[q].vertex || c[b].vertex != c[p].vertex) return;
   if (!left(r, c[c[a].last].vertex, c[a].vertex, c[c[q].next].vertex, normal)) return;
   if (!left(r, c[c[p].last].vertex, c[p].vertex, c[c[b].next].vertex, normal)) return;
-  /* Corner q replaces a, and b replaces p. */
+  /* In the joined ring, corner q replaces a, and corner b replaces p. */
   c[c[a].last].next = q, c[q].last = c[a].last;
   c[c[p].last].next = b, c[b].last = c[p].last;
   c[a].next = c[a].last = a, c[p].next = c[p].last = p;

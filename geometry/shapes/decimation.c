@@ -1,10 +1,10 @@
 /* Implements the simplification of meshes (decimation.h).
  *
- * A corner is removed by moving it onto a neighbour, which removes the two triangles at the edge between them. The two
- * must have exactly the two common neighbours across this edge. No other triangle may turn by more than 60 degrees or
- * become thin. The corner must be near the triangles that replace its own; the distances of earlier removals add up.
- * Passes over all corners go on until none is removed. Each pass lists the triangles of each corner
- * anew; within a pass, corners beside a removed one are skipped. */
+ * A corner is removed by moving it onto a neighbour, which removes the two triangles at the edge between them. Corner
+ * and neighbour must have exactly two common neighbours. No other triangle may turn by more than 60 degrees or become
+ * thin. The corner must be near the triangles that replace its own; the distances of earlier removals add up. Passes
+ * over all corners go on until none is removed. Each pass lists the triangles of each corner anew; within a pass,
+ * corners beside a removed corner are skipped. */
 #include "geometry/shapes/decimation.h"
 
 #include <stdlib.h>
@@ -13,14 +13,16 @@
 #include "geometry/files/polyface.h"
 #include "model/store/array.h"
 
-enum { PASSES = 60, AROUND = 64 }; /* AROUND: the greatest number of triangles at a corner that is removed */
+enum { PASSES = 60, AROUND = 64 }; /* PASSES: greatest number of passes over all corners; AROUND: greatest number of
+                                    * triangles at a corner that may be removed */
 
 typedef struct {
   vs_mesh *m;
-  uint32_t *first, *list; /* triangles of corner v: list[first[v]] to list[first[v + 1] - 1] */
-  double *error;          /* distance of removed corners beside v from the mesh */
-  bool *fixed;            /* corners beside a corner that was removed in this pass */
-  uint8_t *gone;          /* triangles that were removed in this pass */
+  uint32_t *first, *list; /* numbers of the triangles at corner v: list[first[v]] to list[first[v + 1] - 1] */
+  double *error;          /* error[v]: upper bound for the distance from the mesh of corners that were removed beside
+                           * corner v */
+  bool *fixed;            /* fixed[v]: true if a neighbour of corner v was removed in this pass, so that v stays */
+  uint8_t *gone;          /* gone[t]: 1 if triangle t was removed in this pass */
   double tolerance;
   size_t removed;
 } decimation;
@@ -37,7 +39,7 @@ static void list_triangles(decimation *d) {
 
 static int corner_of(const uint32_t *t, uint32_t v) { return t[0] == v ? 0 : t[1] == v ? 1 : t[2] == v ? 2 : -1; }
 
-/* Returns the distance of p from the triangle. */
+/* Returns the distance of p from the triangle a, b, c. */
 static double to_triangle(vs_vec3 p, vs_vec3 a, vs_vec3 b, vs_vec3 c) {
   vs_vec3 n = vs_v3_unit(vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a)));
   const vs_vec3 at[4] = { a, b, c, a };
@@ -68,8 +70,8 @@ static int common_neighbours(const decimation *d, uint32_t v, uint32_t u) {
   return count;
 }
 
-/* Returns the distance of v from the triangles that replace its own when it moves onto u. Returns INFINITY if v must
- * stay. */
+/* Returns the distance of corner v from the triangles that replace its own if v moves onto u. Returns INFINITY if v
+ * must not move onto u. */
 static double cost(const decimation *d, uint32_t v, uint32_t u) {
   const vs_vec3 *p = d->m->vertices;
   double least = INFINITY;
@@ -92,7 +94,8 @@ static double cost(const decimation *d, uint32_t v, uint32_t u) {
   return shared == 2 && common_neighbours(d, v, u) == 2 ? least : INFINITY;
 }
 
-/* Moves v onto u. */
+/* Moves corner v onto corner u, and so removes v. error: upper bound for the distance of removed corners from the
+ * mesh. */
 static void collapse(decimation *d, uint32_t v, uint32_t u, double error) {
   for (uint32_t i = d->first[v]; i < d->first[v + 1]; i++) {
     uint32_t *t = d->m->triangles[d->list[i]];
@@ -103,7 +106,7 @@ static void collapse(decimation *d, uint32_t v, uint32_t u, double error) {
   d->removed++;
 }
 
-/* Removes the corner v if that is allowed. */
+/* Removes corner v if the tolerance and the shape of its triangles allow it. */
 static void try_corner(decimation *d, uint32_t v) {
   double best = INFINITY;
   uint32_t to = 0;
@@ -118,7 +121,7 @@ static void try_corner(decimation *d, uint32_t v) {
   if (best < INFINITY && best + d->error[v] <= d->tolerance) collapse(d, v, to, best + d->error[v]);
 }
 
-/* Gives corners at one place one index. */
+/* Gives all corners at one position the index of the first of them. Returns false when memory is out. */
 static bool weld(vs_mesh *m) {
   uint32_t *place = NULL;
   bool ok = VS_FRESH(place, m->vertex_count + 1) && vs_polyface_merge(m->vertices, m->vertex_count, place);
@@ -128,7 +131,7 @@ static bool weld(vs_mesh *m) {
   return ok;
 }
 
-/* Removes the corners that no triangle uses. */
+/* Removes the corners that no triangle uses. Returns false when memory is out. */
 static bool drop_unused(vs_mesh *m) {
   uint32_t *name = NULL, count = 0;
   if (!VS_FRESH(name, m->vertex_count + 1)) return false;

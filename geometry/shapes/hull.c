@@ -8,8 +8,8 @@
  *   above[f]   a list of points that lie outside the current hull and above face f, each in one list only
  *   horizon    the edges around the faces that a point removes: each becomes a face with the point
  *
- * In a plane, the method is Andrew's chain, on a grid of the same kind. Both take n log n steps for points as they
- * occur in models. */
+ * In a plane, the method is Andrew's chain, on a grid of the same kind. Both methods take n log n steps for points as
+ * they occur in models. */
 #include "geometry/shapes/hull.h"
 
 #include <stdlib.h>
@@ -33,8 +33,8 @@ bool vs_cloud_add(vs_cloud *c, vs_vec3 p) {
 /* ---- dimension and extent of the points ---- */
 
 /* Returns the dimension of the points (0 to 3), or -1 if there are none. Sets corner[0] to the point farthest from the
- * middle. Sets corner[k], for k up to the dimension, to the point farthest from the point, line or plane through the
- * corners before it. */
+ * middle of the points. Sets corner[k], for each k up to the dimension, to the point farthest from the point, line or
+ * plane that the corners before it span. */
 static int cloud_span(const vs_cloud *c, uint32_t corner[4]) {
   if (!c->count) return -1;
   vs_bounds b = vs_bounds_empty();
@@ -99,8 +99,8 @@ static vs_wide steps_volume(const vs_step *s, const uint32_t v[3], uint32_t d) {
 typedef struct {
   uint32_t v[3], next[3]; /* v: point numbers of the face's corners; next[k]: face on the other side of the edge that
                            * begins at v[k] */
-  uint32_t above, mark;   /* above: first point in the list of points above the face; mark: number of the last step that
-                           * visited the face */
+  uint32_t above, mark;   /* above: first point in the list of points above the face; mark: number of the last addition
+                           * of a point that has visited the face */
   bool dead;
 } vs_hull_face;
 
@@ -109,8 +109,8 @@ typedef struct {
   vs_hull_face *faces;
   size_t count, room;
   uint32_t *next_above;            /* next_above[p]: point after p in the list of points above a face that contains p */
-  uint32_t *waiting, *horizon;     /* waiting: faces that a step must still visit; horizon: pairs of a face and an edge
-                                    * around the removed faces */
+  uint32_t *waiting, *horizon;     /* waiting: faces that must still be visited while a point is added; horizon: the
+                                    * edges around the removed faces, each as a face and the index of its edge */
   size_t waiting_room, horizon_room;
   uint32_t *leaving;               /* leaving[p]: the new face whose edge on the horizon starts at point p */
 } vs_quickhull;
@@ -137,7 +137,7 @@ static void hull_assign(vs_quickhull *h, uint32_t p, uint32_t from, uint32_t to)
 
 static bool hull_start(vs_quickhull *h, const uint32_t corner[4], size_t points) {
   uint32_t v[4] = { corner[0], corner[1], corner[2], corner[3] }, f;
-  /* Orders the first three corners of the tetrahedron so that the fourth lies below the face of these three. */
+  /* Orders the tetrahedron's corners: the fourth lies below the face of the first three. */
   if (steps_volume(h->steps, v, v[3]) > 0) v[1] = corner[2], v[2] = corner[1];
   static const unsigned char faces[4][3] = { { 0, 1, 2 }, { 0, 3, 1 }, { 1, 3, 2 }, { 2, 3, 0 } };
   for (int i = 0; i < 4; i++)
@@ -152,8 +152,8 @@ static bool hull_start(vs_quickhull *h, const uint32_t corner[4], size_t points)
   return true;
 }
 
-/* Collects in `waiting` the faces that point p removes, because it lies above them, and in `horizon` the edges around
- * these faces. first: one of the faces. */
+/* Adds point p: collects the faces that p lies above, and so removes, in `waiting`, and the edges around these faces in
+ * `horizon`. first: one of these faces. */
 static bool hull_take(vs_quickhull *h, uint32_t first, uint32_t p, uint32_t step, size_t *taken, size_t *edges) {
   *taken = *edges = 0;
   if (!VS_GROW(h->waiting, h->waiting_room, 1)) return false;
@@ -219,8 +219,8 @@ static bool hull_add(vs_quickhull *h, uint32_t face, uint32_t step) {
 
 static bool hull_write(const vs_quickhull *h, const vs_cloud *c, vs_mesh *out) {
   bool ok = true;
-  for (size_t i = 0; i < c->count; i++) h->leaving[i] = NOBODY; /* from here on, leaving[p] is the vertex number of
-                                                                 * point p */
+  for (size_t i = 0; i < c->count; i++) h->leaving[i] = NOBODY; /* from here on, leaving[p] is the vertex of point p in
+                                                                 * the mesh */
   for (size_t f = 0; ok && f < h->count; f++) {
     const vs_hull_face *face = &h->faces[f];
     if (face->dead) continue;
@@ -240,10 +240,10 @@ bool vs_cloud_hull(const vs_cloud *c, vs_mesh *out) {
                      .leaving = vs_fresh(c->count, sizeof *h.leaving) };
   bool ok = steps && h.next_above && h.leaving && hull_start(&h, corner, c->count);
   for (uint32_t f = 0, step = 0; ok && f < h.count; f++)
-    if (!h.faces[f].dead && h.faces[f].above != NOBODY) ok = hull_add(&h, f, ++step); /* adds to the hull the farthest
-                                                                                       * point above face f, which
-                                                                                       * removes f; its new faces follow
-                                                                                       * in the array */
+    if (!h.faces[f].dead && h.faces[f].above != NOBODY) ok = hull_add(&h, f, ++step); /* adds the farthest of the points
+                                                                                       * above face f to the hull, which
+                                                                                       * removes f; the new faces follow
+                                                                                       * at the end of the array */
   ok = ok && hull_write(&h, c, out);
   free(steps);
   free(h.next_above);
@@ -280,7 +280,7 @@ bool vs_cloud_polygon(const vs_cloud *c, vs_polyline *out) {
   vs_vec3 n = { 0, 0, 0 };
   if (dimension > 1)
     n = vs_v3_cross(vs_v3_sub(c->at[corner[1]], c->at[corner[0]]), vs_v3_sub(c->at[corner[2]], c->at[corner[0]]));
-  else { /* the points lie on a line, so any plane through it is suitable, unless it is perpendicular to the
+  else { /* the points lie on a line: any plane through the line is suitable, unless it is perpendicular to the plane of
           * projection */
     vs_vec3 d = vs_v3_sub(c->at[corner[1]], c->at[corner[0]]);
     n = fabs(d.x) <= fabs(d.y) && fabs(d.x) <= fabs(d.z) ? vs_v3(1, 0, 0)
@@ -313,7 +313,7 @@ bool vs_cloud_polygon(const vs_cloud *c, vs_polyline *out) {
       if (count > first && chain[count - 1].u == p->u && chain[count - 1].v == p->v) continue;
       chain[count++] = *p;
     }
-    count--; /* removes the last point of the chain, because the other chain begins with it */
+    count--; /* removes the chain's last point, which is the first point of the other chain */
   }
   out->at = ok ? vs_fresh(count, sizeof *out->at) : NULL;
   ok = out->at != NULL;

@@ -1,7 +1,7 @@
 /* Passes the faces of polyface meshes, grid meshes and boxes to a function, one at a time.
  *
- * The map that the caller gives is applied to the corners of a face, in an array that is reused. A reflection would
- * turn the faces inside out, so their corners are reversed then. */
+ * The caller gives a map, which is applied to the corners of each face, in an array that is reused. A reflection would
+ * turn the faces inside out, so the order of their corners is then reversed. */
 #include "geometry/shapes/polygons.h"
 
 #include <stdlib.h>

@@ -4,14 +4,14 @@
 
 #include "model/node.h"
 
-/* Receives a face with `count` corners, counter-clockwise as seen from outside. The array is valid only during the
- * call. Returns false to stop. */
+/* A function that receives a face with `count` corners, counter-clockwise as seen from outside. The array is valid only
+ * during the call. Returns false to stop. */
 typedef bool vs_polygon_taker(void *context, const vs_vec3 *corner, uint32_t count);
 
 typedef enum {
-  VS_POLYGONS_NONE,    /* the node is not of a kind that consists of polygons, so no face was passed */
+  VS_POLYGONS_NONE,    /* the node's kind does not consist of polygons, so no face was passed to the function */
   VS_POLYGONS_GIVEN,   /* all faces were passed to the function */
-  VS_POLYGONS_STOPPED, /* the function returned false, so no further face was passed */
+  VS_POLYGONS_STOPPED, /* the function has returned false, so no further face was passed to it */
   VS_POLYGONS_MEMORY   /* memory is out */
 } vs_polygons_result;
 

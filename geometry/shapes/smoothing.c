@@ -1,6 +1,7 @@
-/* Implements smoothing.h by cubic triangles (A. Vlachos, J. Peters, C. Boyd, J. Mitchell, 2001). A triangle's corner
- * has the mean normal of the triangles that are joined with it around the corner without a sharp edge. The handle of an
- * edge has the length that makes the curve a circle where its ends lie on one. */
+/* Implements smoothing.h by cubic triangles (A. Vlachos, J. Peters, C. Boyd, J. Mitchell, 2001). The normal at a
+ * triangle's corner is the mean normal of all triangles that are connected with it around the corner without a sharp
+ * edge. The control points of an edge have such distances from its ends that points on a circle give nearly a
+ * circle. */
 #include "geometry/shapes/smoothing.h"
 
 #include <stdlib.h>
@@ -12,13 +13,15 @@ enum { PARTS_MOST = 24, TRIANGLES_MOST = 2000000 };
 
 typedef struct {
   const vs_mesh_edges *s;
-  bool *sharp;         /* for each edge */
-  uint32_t *up;        /* union of the corners of triangles that have one normal; corner k of triangle t is 3 t + k */
-  vs_vec3 *normal;     /* for each root in `up` */
-  uint32_t *creases;   /* for each vertex: number of sharp edges */
-  vs_vec3 *along;      /* for each vertex with two of them: the tangent of the curve */
-  vs_vec3 (*handle)[2]; /* for each edge: the control points near its ends a and b */
-  uint32_t *first;     /* for each edge: its first new vertex, from a to b */
+  bool *sharp;         /* sharp[e]: true if edge e of the mesh is sharp */
+  uint32_t *up;        /* union-find structure of the triangles' corners; corners in one set have one normal; corner k
+                        * of triangle t is element 3 t + k */
+  vs_vec3 *normal;     /* normal[i]: for the root i of a set in `up`, the common normal of its corners, not of length
+                        * 1 */
+  uint32_t *creases;   /* creases[v]: number of sharp edges at vertex v */
+  vs_vec3 *along;      /* along[v]: for a vertex v with two sharp edges, the tangent of the curve that they form */
+  vs_vec3 (*handle)[2]; /* handle[e]: control points of edge e, the first near its end a, the second near its end b */
+  uint32_t *first;     /* first[e]: index of the first new vertex on edge e; the others follow, from a to b */
 } smoothing;
 
 static int corner_at(const vs_mesh_edges *s, uint32_t t, uint32_t v) {
@@ -57,7 +60,7 @@ static void find_normals(smoothing *w, double sharp) {
   }
 }
 
-/* Returns the control point of edge e near its end v. */
+/* Returns the control point of edge e that is near its end v. */
 static vs_vec3 handle_at(smoothing *w, size_t e, uint32_t v) {
   const vs_mesh_edge *g = &w->s->edges[e];
   vs_vec3 p = w->s->m->vertices[v], d = vs_v3_sub(w->s->m->vertices[g->a == v ? g->b : g->a], p), t = d;
@@ -84,7 +87,7 @@ static void controls(const smoothing *w, size_t e, vs_vec3 c[4]) {
   c[0] = w->s->m->vertices[g->a], c[1] = w->handle[e][0], c[2] = w->handle[e][1], c[3] = w->s->m->vertices[g->b];
 }
 
-/* Computes all handles. Returns the number of parts into which edges are divided. */
+/* Computes the control points of all edges. Returns the number of parts into which each edge must be divided. */
 static uint32_t find_handles(smoothing *w, double tolerance) {
   double most = 0;
   for (size_t e = 0; e < w->s->edge_count; e++) {
@@ -98,7 +101,7 @@ static uint32_t find_handles(smoothing *w, double tolerance) {
   return (uint32_t)fmax(1, fmin(fmin(parts, PARTS_MOST), room));
 }
 
-/* Adds the new vertices of the edges. */
+/* Adds the new vertices on all edges: n - 1 on each. Returns false when memory is out. */
 static bool add_edges(smoothing *w, uint32_t n, vs_mesh *out) {
   bool ok = true;
   for (size_t e = 0; ok && e < w->s->edge_count; e++) {
@@ -110,13 +113,16 @@ static bool add_edges(smoothing *w, uint32_t n, vs_mesh *out) {
   return ok;
 }
 
-/* The triangle that is being divided: its control points, and the vertices of its grid, row by row from corner 0. */
+/* A triangle while it is divided: its control points, and the vertices of the grid of points on it, row by row from
+ * corner 0. */
 typedef struct {
-  vs_vec3 at[3], edge[3][2], middle; /* edge[k]: control points opposite corner k, the first near corner k + 1 */
+  vs_vec3 at[3], edge[3][2], middle; /* at: the corners; edge[k]: control points of the edge opposite corner k, the
+                                      * first near corner k + 1; middle: control point in the middle */
   uint32_t *grid;
 } curved;
 
-static vs_vec3 point_of(const curved *c, double u, double v) { /* weights of corners 1 and 2 */
+static vs_vec3 point_of(const curved *c, double u, double v) { /* returns a point of the curved triangle; u, v: weights
+                                                                * of corners 1 and 2 */
   double w = 1 - u - v;
   vs_vec3 sum = vs_v3_add(mix(c->at[0], w * w * w, c->at[1], u * u * u), vs_v3_scale(c->at[2], v * v * v));
   sum = vs_v3_add(sum, mix(c->edge[2][0], 3 * w * w * u, c->edge[2][1], 3 * w * u * u));
@@ -125,7 +131,7 @@ static vs_vec3 point_of(const curved *c, double u, double v) { /* weights of cor
   return vs_v3_add(sum, vs_v3_scale(c->middle, 6 * u * v * w));
 }
 
-/* Returns vertex i of the n parts of the side opposite corner k of triangle t, from its first end. */
+/* Returns the vertex at i / n of the side opposite corner k of triangle t, counted from corner k + 1. */
 static uint32_t side_vertex(const smoothing *w, uint32_t t, int k, uint32_t i, uint32_t n) {
   uint32_t e = w->s->of[t][k], from = vs_mesh_edges_corner(w->s, t, (k + 1) % 3);
   return w->first[e] + (w->s->edges[e].a == from ? i - 1 : n - 1 - i);
@@ -143,8 +149,10 @@ static bool add_triangle(const smoothing *w, uint32_t t, uint32_t n, curved *c, 
   }
   c->middle = mix(sum, 1.5 / 6, corners, -.5 / 3);
   uint32_t *g = c->grid;
-  for (uint32_t i = 0; ok && i <= n; i++)     /* row i lies at the share i / n from corner 0 to the opposite side */
-    for (uint32_t j = 0; ok && j <= i; j++) { /* place j in it, from the side of corner 1 to that of corner 2 */
+  for (uint32_t i = 0; ok && i <= n; i++)     /* row i of the grid lies at the fraction i / n of the way from corner 0
+                                               * to the opposite side */
+    for (uint32_t j = 0; ok && j <= i; j++) { /* point j of the row, counted from the side of corner 1 to the side of
+                                               * corner 2 */
       uint32_t *to = &g[i * (i + 1) / 2 + j];
       if (i == 0) *to = vs_mesh_edges_corner(w->s, t, 0);
       else if (i == n && (j == 0 || j == n)) *to = vs_mesh_edges_corner(w->s, t, j ? 2 : 1);

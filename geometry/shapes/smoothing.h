@@ -1,12 +1,12 @@
-/* Declares the replacement of a closed mesh's facets by curved triangles through its corners. */
+/* Declares the smoothing of a closed mesh: curved triangles through its corners replace its flat facets. */
 #ifndef VS_GEOMETRY_SHAPES_SMOOTHING_H
 #define VS_GEOMETRY_SHAPES_SMOOTHING_H
 
 #include "geometry/nets/mesh_edges.h"
 
-/* Adds to out, which must be empty, the mesh of s with each triangle curved, and divided until it follows the curve
- * within the tolerance. The corners stay. Edges that fold by more than `sharp` radians stay edges, as smooth curves
- * where two of them meet. Returns false when memory is out. */
+/* Writes a smooth copy of the mesh of s to out, which must be empty. Each triangle is curved, and divided until it
+ * follows its curve within the tolerance; the corners stay. Edges with a fold of more than `sharp` radians stay edges,
+ * and two such edges at a corner form a smooth curve. Returns false when memory is out. */
 bool vs_mesh_smooth(const vs_mesh_edges *s, double sharp, double tolerance, vs_mesh *out);
 
 #endif

@@ -19,7 +19,7 @@ typedef struct {
   const vs_face_list *l;
   edge *edges;
   size_t edge_count, room;
-  uint32_t *of_corner; /* of_corner[c]: edge from corner c of a face to the face's next corner */
+  uint32_t *of_corner; /* of_corner[c]: index of the edge that goes from corner c of a face to the face's next corner */
   uint32_t *slots;     /* hash table with the index of an edge plus 1 in each slot; 0 marks a free slot */
   size_t size;
 } topology;
@@ -71,12 +71,12 @@ static bool topology_of(const vs_face_list *l, const vs_crease *creases, size_t 
   return true;
 }
 
-/* Sums over the edges and faces at a point, from which its new position is computed. */
+/* Sums over the edges and faces at a point. The new position of the point is computed from them. */
 typedef struct {
   uint32_t edges, faces, sharp;
   double sharpness;                  /* sum of the sharpness (number of subdivisions) of the sharp edges at the point */
-  vs_vec3 neighbours, across, along; /* sums of positions. neighbours: the other ends of all edges at the point; across:
-                                      * sum over the faces at the point; along: the other ends of its sharp edges */
+  vs_vec3 neighbours, across, along; /* sums of positions at the point. neighbours: of the other ends of all its edges;
+                                      * along: of the other ends of its sharp edges; across: over its faces */
 } gathered;
 
 static void gather_edges(const topology *t, gathered *g) {
@@ -97,7 +97,7 @@ static void gather_edges(const topology *t, gathered *g) {
 
 static vs_vec3 mix(vs_vec3 a, vs_vec3 b, double t) { return vs_v3_add(vs_v3_scale(a, 1 - t), vs_v3_scale(b, t)); }
 
-/* Returns the position of point p after one subdivision, by the sharp edges at it. smooth: its position if it had no
+/* Returns the position of point p after one subdivision, where sharp edges may end at p. smooth: position of p without
  * sharp edges. */
 static vs_vec3 creased(const gathered *g, vs_vec3 p, vs_vec3 smooth) {
   if (g->sharp < 2) return smooth;
@@ -147,8 +147,9 @@ static bool step(const vs_face_list *l, const crease_list *creases, bool loop, v
     if (n > 0 && loop) {
       double beta = loop_beta(n);
       smooth = vs_v3_add(vs_v3_scale(p, 1 - n * beta), vs_v3_scale(g[i].neighbours, beta));
-    } else if (n > 0) { /* The new position is (F + 2 R + (n - 3) P) / n. P is the point, F the mean of the n faces'
-                         * centroids, and R the mean of the edges' midpoints. */
+    } else if (n > 0) { /* The new position is (F + 2 R + (n - 3) P) / n, where P is the old position, n the number of
+                         * faces at the point, F the mean of their centroids, and R the mean of the midpoints of the
+                         * point's edges. */
       vs_vec3 r = vs_v3_scale(vs_v3_add(vs_v3_scale(p, n), g[i].neighbours), 1 / (2 * n));
       vs_vec3 f = vs_v3_scale(g[i].across, 1.0 / g[i].faces);
       smooth = vs_v3_scale(vs_v3_add(vs_v3_add(f, vs_v3_scale(r, 2)), vs_v3_scale(p, n - 3)), 1 / n);
@@ -161,8 +162,9 @@ static bool step(const vs_face_list *l, const crease_list *creases, bool loop, v
     vs_vec3 a = l->points[e->a], b = l->points[e->b], straight = vs_v3_scale(vs_v3_add(a, b), .5), smooth = straight;
     if (e->faces == 2 && !loop) {
       smooth = vs_v3_scale(vs_v3_add(vs_v3_add(a, b), vs_v3_add(middle[e->face[0]], middle[e->face[1]])), .25);
-    } else if (e->faces == 2) { /* The corners opposite the edge are not stored. Their sum is three times the sum of the
-                                 * two centroids minus twice the sum of the edge's ends. */
+    } else if (e->faces == 2) { /* Computes the two corners opposite the edge from the triangles' centroids: the sum of
+                                 * these corners is three times the sum of the centroids minus twice the sum of the
+                                 * edge's ends. */
       vs_vec3 c = vs_v3_scale(vs_v3_add(middle[e->face[0]], middle[e->face[1]]), 3);
       vs_vec3 both = vs_v3_sub(c, vs_v3_scale(vs_v3_add(a, b), 2));
       smooth = vs_v3_add(vs_v3_scale(vs_v3_add(a, b), 3.0 / 8), vs_v3_scale(both, 1.0 / 8));
@@ -207,8 +209,8 @@ static bool to_limit(vs_face_list *l, const crease_list *creases, bool loop) {
   if (!topology_of(l, creases->at, creases->count, &t)) return false;
   bool ok = VS_FRESH(g, l->point_count + 1) && VS_FRESH(moved, l->point_count + 1);
   if (ok) memset(g, 0, (l->point_count + 1) * sizeof *g), gather_edges(&t, g);
-  for (size_t f = 0; ok && !loop && f < l->face_count; f++) { /* adds, for each corner of a quadrilateral, the opposite
-                                                               * corner to the corner's sum */
+  for (size_t f = 0; ok && !loop && f < l->face_count; f++) { /* for each corner of a quadrilateral, adds the opposite
+                                                               * corner to the sum of that corner */
     const uint32_t *c = l->corners + l->starts[f];
     for (int k = 0; k < 4; k++) g[c[k]].across = vs_v3_add(g[c[k]].across, l->points[c[(k + 2) % 4]]);
   }

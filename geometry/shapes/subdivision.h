@@ -15,8 +15,8 @@ typedef struct {
 
 typedef enum { VS_SUBDIVIDE_CATMULL_CLARK, VS_SUBDIVIDE_LOOP } vs_subdivision_scheme;
 
-/* How a surface is subdivided: the number of subdivisions, the scheme, and the creases. limit: true if the points then
- * move to their limit positions on the smooth surface. */
+/* How a surface is subdivided. levels: number of subdivisions; limit: true if the points finally move to their limit
+ * positions on the smooth surface; creases: edges that stay sharp. */
 typedef struct {
   const vs_crease *creases;
   size_t crease_count;
@@ -25,8 +25,8 @@ typedef struct {
   bool limit;
 } vs_subdivision;
 
-/* Replaces the faces of l by subdivided faces. Faces with a common corner must share its point. The Loop scheme first
- * divides polygons into fans of triangles. how->levels is at least 0. Returns false when memory is out, or the caller
+/* Replaces the faces of l by subdivided faces. Faces meet only at points with one index. Loop's scheme first divides
+ * polygons into fans of triangles. how->levels is at least 0. Returns false when memory is out, or the caller
  * interrupts. */
 bool vs_subdivide(vs_face_list *l, const vs_subdivision *how, vs_long_work work);
 

@@ -1,8 +1,9 @@
-/* Implements the search for eigenvectors by iteration of a subspace (eigenpairs.h).
+/* Implements the search for eigenvectors by subspace iteration (eigenpairs.h).
  *
- * A block of vectors is multiplied by A and solved for K again and again; this strengthens the vectors with the
- * greatest eigenvalues by size. Each time LAPACK finds the best combinations of the block. Vectors that have become
- * dependent are replaced. A small problem takes all its vectors as the block: one step is then exact. */
+ * In each step, a block of vectors x is replaced by the solutions y of K y = A x. This strengthens the eigenvectors
+ * whose eigenvalues have the greatest absolute values. LAPACK then finds the best combinations of the block's vectors,
+ * and vectors that have become dependent are replaced. For a small problem, the block has as many vectors as the matrix
+ * has rows; one step is then exact. */
 #include "geometry/structure/eigenpairs.h"
 
 #include <math.h>
@@ -12,8 +13,8 @@
 #include "geometry/dynamic.h"
 #include "model/store/array.h"
 
-enum { WHOLE = 150 /* rows up to which the block is the whole space */, STEPS = 300 };
-#define SETTLED 1e-11 /* relative change of the wanted eigenvalues in a step, at the end */
+enum { WHOLE = 150 /* greatest number of rows for which the block contains as many vectors as rows */, STEPS = 300 };
+#define SETTLED 1e-11 /* greatest relative change of the wanted eigenvalues in a step at which the iteration ends */
 
 typedef void dsyev(const char *job, const char *half, const int *n, double *a, const int *lda, double *w, double *work,
                    const int *room, int *info, size_t job_length, size_t half_length);
@@ -28,8 +29,8 @@ static bool load(lapack *out, vs_error *e) {
 
 typedef struct {
   vs_sparse *k, *a;
-  size_t n, q;        /* rows, and vectors in the block */
-  double *x, *kx, *y; /* the block, K times it, and another block: q columns of n numbers */
+  size_t n, q;        /* n: number of rows of the matrices; q: number of vectors in the block */
+  double *x, *kx, *y; /* x: the block of vectors; kx: K times x; y: working memory; each has q columns of n numbers */
   double *small, *values, *before, *room;
   uint64_t random;
   lapack call;
@@ -46,7 +47,8 @@ static double product(const double *a, const double *b, size_t n) {
   return sum;
 }
 
-/* Makes the columns of x perpendicular in K and of length 1. Replaces a dependent column by a random one. */
+/* Makes the columns of x orthogonal and of length 1, in the scalar product of K. Replaces a column that depends on
+ * others by a random one. Returns false on failure. */
 static bool orthogonalise(block *b, vs_error *e) {
   size_t n = b->n;
   for (size_t j = 0; j < b->q; j++) {
@@ -73,7 +75,8 @@ static bool orthogonalise(block *b, vs_error *e) {
   return true;
 }
 
-/* Replaces x by its combinations that are the best eigenvectors, with the greatest values first. Leaves A x in y. */
+/* Replaces the columns of x by combinations that best approximate eigenvectors; those with the greatest eigenvalues
+ * come first. y is overwritten. Returns false on failure. */
 static bool combine(block *b, vs_error *e) {
   size_t n = b->n, q = b->q;
   for (size_t j = 0; j < q; j++)
@@ -84,7 +87,8 @@ static bool combine(block *b, vs_error *e) {
   b->call.solve("V", "U", &order, b->small, &order, b->values, b->room, &room, &info, 1, 1);
   if (info) return vs_error_set(e, VS_ERROR_MODEL, NULL, "the modes cannot be told apart");
   memset(b->y, 0, q * n * sizeof *b->y);
-  for (size_t j = 0; j < q; j++) /* LAPACK's values rise */
+  for (size_t j = 0; j < q; j++) /* LAPACK returns the eigenvalues in ascending order, so the loop reads the vectors
+                                  * from the last to the first */
     for (size_t i = 0; i < q; i++)
       for (size_t r = 0; r < n; r++) b->y[j * n + r] += b->small[(q - 1 - j) * q + i] * b->x[i * n + r];
   memcpy(b->x, b->y, q * n * sizeof *b->x);

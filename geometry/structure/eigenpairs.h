@@ -5,11 +5,16 @@
 #include "geometry/structure/sparse_system.h"
 #include "model/long_work.h"
 
-typedef enum { VS_EIGEN_DONE, VS_EIGEN_SLOW /* not converged */, VS_EIGEN_STOPPED, VS_EIGEN_FAILED } vs_eigen_outcome;
+typedef enum {
+  VS_EIGEN_DONE,
+  VS_EIGEN_SLOW, /* the iteration has not converged */
+  VS_EIGEN_STOPPED,
+  VS_EIGEN_FAILED
+} vs_eigen_outcome;
 
-/* Finds the `want` greatest eigenvalues, in falling order, and vectors of length 1 in K: vectors[i * n + row]. k has
- * been factored; n is the number of rows of both. Sets *found to the number of pairs, which is at most n. The work is
- * that of `want` and some more solutions for each step. */
+/* Finds the `want` greatest eigenvalues, in descending order, and their vectors: vectors[i * n + row], of length 1 in
+ * the scalar product of K. k has been factored; n is the number of rows of k and a. *found: number of pairs, at most n.
+ * Each step solves equations for `want` right sides and some more. */
 vs_eigen_outcome vs_eigenpairs(vs_sparse *k, vs_sparse *a, size_t n, size_t want, vs_long_work work, double *values,
                                double *vectors, size_t *found, vs_error *e);
 

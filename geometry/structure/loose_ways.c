@@ -1,12 +1,14 @@
-/* Implements the search for loose directions, by the eigenvectors of a node's stiffness (Jacobi's rotations). */
+/* Implements the search for directions in which nothing holds a node, by the eigenvectors of its stiffness matrix
+ * (Jacobi's rotations). */
 #include "geometry/structure/loose_ways.h"
 
 #include <math.h>
 #include <string.h>
 
-#define NO_STIFFNESS 1e-12 /* smaller shares of the node's greatest stiffness are rounding */
+#define NO_STIFFNESS 1e-12 /* fraction of a node's greatest stiffness below which a stiffness counts as 0, because it
+                            * may be a rounding error */
 
-/* Makes the symmetric matrix a diagonal; the columns of v are its eigenvectors. */
+/* Diagonalizes the symmetric matrix a in place, by Jacobi's rotations. The columns of v become its eigenvectors. */
 static void jacobi(double a[VS_WAYS][VS_WAYS], double v[VS_WAYS][VS_WAYS]) {
   memset(v, 0, sizeof(vs_node_stiffness));
   for (int i = 0; i < VS_WAYS; i++) v[i][i] = 1;

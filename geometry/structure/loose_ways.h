@@ -4,12 +4,12 @@
 
 #include "geometry/structure/structure.h"
 
-/* The stiffness of a node against its own movement, on global axes. */
+/* The stiffness of a node against its own displacements and rotations, in global axes: a symmetric matrix. */
 typedef double vs_node_stiffness[VS_WAYS][VS_WAYS];
 
-/* Sets motion[0..] to the directions, at right angles to each other, in which b does not resist and no way is held, and
- * returns how many they are. Replaces b by a stiffness that resists them alone. A node whose members give its turns no
- * stiffness at all does not turn: unturned[i] tells so of way i. */
+/* Finds the directions in which the node's stiffness b does not resist, among the degrees of freedom that are not held.
+ * Writes them to motion, orthogonal to each other, and returns their number. Replaces b by a stiffness that resists
+ * only them. unturned[i]: true if degree of freedom i is a rotation that no member resists, so that it is kept at 0. */
 int vs_loose_ways(vs_node_stiffness b, const bool held[VS_WAYS], double motion[VS_WAYS][VS_WAYS],
                   bool unturned[VS_WAYS]);
 

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#define UPRIGHT 1e-6 /* a member that leans less from the vertical, in radians, is vertical */
+#define UPRIGHT 1e-6 /* angle from the vertical, in radians, below which a member counts as vertical */
 
 double vs_member_axes(vs_vec3 from, vs_vec3 to, double roll, vs_vec3 axes[3]) {
   vs_vec3 along = vs_v3_sub(to, from);
@@ -23,7 +23,8 @@ double vs_member_axes(vs_vec3 from, vs_vec3 to, double roll, vs_vec3 axes[3]) {
 
 /* ---- stiffness ---- */
 
-/* Adds `by` times the matrix of a quantity of bending, whose entries are for ways across and turns times the length. */
+/* Adds `by` times a 4 by 4 matrix `shape` of bending to a. across, turn: degrees of freedom for the displacement across
+ * the member and the rotation; entries for rotations are also multiplied by the length l. */
 static void add_shape(double by, double l, const double shape[4][4], int across, int turn, double sign,
                       vs_member_matrix a) {
   const int at[4] = { across, turn, across + VS_WAYS, turn + VS_WAYS };
@@ -34,7 +35,8 @@ static void add_shape(double by, double l, const double shape[4][4], int across,
     }
 }
 
-/* Adds the stiffness of bending in the plane of the ways `across` and `turn`; sign is that of the slope's turn. */
+/* Adds the stiffness of bending in one plane to k. across, turn: degrees of freedom for displacement and rotation in
+ * this plane; sign: 1 if a positive rotation increases the slope, else -1. */
 static void add_bending(double ei, double l, int across, int turn, double sign, vs_member_matrix k) {
   const double shape[4][4] = { { 12, 6, -12, 6 }, { 6, 4, -6, 2 }, { -12, -6, 12, -6 }, { 6, 2, -6, 4 } };
   add_shape(ei / (l * l * l), l, shape, across, turn, sign, k);
@@ -45,8 +47,9 @@ static void add_pair(double v, int a, vs_member_matrix k) {
   k[a][a] += v, k[b][b] += v, k[a][b] -= v, k[b][a] -= v;
 }
 
-/* Frees way r of the ends: the member then gives it no force. If t is not NULL, multiplies t by the matrix that maps
- * the other ways to all, with way r where it then is. */
+/* Eliminates degree of freedom r from the stiffness k and the forces f, so that the member exerts no force on it (a
+ * hinge). If t is not NULL, multiplies t by the matrix that computes all movements, including that of r, from the
+ * remaining ones. */
 static void release(int r, vs_member_matrix k, double f[VS_MEMBER_WAYS], vs_member_matrix t) {
   for (int i = 0; t && i < VS_MEMBER_WAYS; i++) {
     double turned = t[i][r];
@@ -92,7 +95,8 @@ void vs_member_stiffness(const vs_structure_member *m, double l, vs_vec3 line, v
 
 /* ---- axial forces and masses ---- */
 
-/* Replaces a by t' a t, where t maps the ways without hinges to those with them. */
+/* Replaces a by t' a t, where t computes the movements of the member's ends at its hinges from the other movements.
+ * Does nothing without hinges. */
 static void consider_hinges(const vs_structure_member *m, double l, vs_member_matrix a) {
   vs_member_matrix k, t, half;
   double f[VS_MEMBER_WAYS];
@@ -124,7 +128,8 @@ void vs_member_geometric(const vs_structure_member *m, double l, double force, v
   }
 }
 
-/* Adds the matrix of a quantity that varies linearly between the ends. */
+/* Adds to k the matrix of a quantity (mass) in degree of freedom a of both ends; the movement varies linearly between
+ * the ends. whole: total quantity. */
 static void add_linear(double whole, int a, vs_member_matrix k) {
   int b = a + VS_WAYS;
   k[a][a] += whole / 3, k[b][b] += whole / 3, k[a][b] += whole / 6, k[b][a] += whole / 6;

@@ -1,8 +1,8 @@
-/* Implements systems of linear equations by CHOLMOD (sparse_system.h).
+/* Implements systems of linear equations by the library CHOLMOD (sparse_system.h).
  *
- * CHOLMOD makes L D L' of a small permuted matrix, and L L' of a large one, by its supernodal method. The pivots, the
- * entries of D or the squares on the diagonal of L, tell whether the matrix is singular. The diagonal of D A D is 1;
- * a pivot then is the share of a row that the rows before do not determine. */
+ * CHOLMOD factors a small permuted matrix as L D L', and a large one as L L' by its supernodal method. The pivots, the
+ * entries of D or the squared diagonal of L, show whether the matrix is singular. The scaled matrix has the diagonal 1;
+ * a pivot is then the share of a row that the rows before it do not determine. */
 #include "geometry/structure/sparse_system.h"
 
 #include <limits.h>
@@ -18,7 +18,7 @@
   X(cholmod_free_sparse) X(cholmod_analyze) X(cholmod_factorize_p) X(cholmod_free_factor) X(cholmod_solve)             \
   X(cholmod_sdmult) X(cholmod_allocate_dense) X(cholmod_free_dense)
 
-enum { DISSECTED = 30000 }; /* least number of rows for nested dissection */
+enum { DISSECTED = 30000 }; /* number of rows from which nested dissection orders the matrix */
 
 typedef struct {
 #define X(name) __typeof__(&name) name;
@@ -29,14 +29,15 @@ typedef struct {
 struct vs_sparse {
   cholmod_calls call;
   cholmod_common common;
-  cholmod_triplet *entries; /* NULL after vs_sparse_close */
+  cholmod_triplet *entries; /* entries that were added to the matrix; NULL after vs_sparse_close */
   cholmod_sparse *matrix;
   cholmod_factor *factor;
-  double *scale; /* diagonal of D, or NULL if the matrix is not scaled */
+  double *scale; /* diagonal of D, by which the matrix A is scaled to D A D; NULL if it is not scaled */
   size_t n;
 };
 
-/* The file has the version of the header, because cholmod_common differs from version to version. */
+/* The name of the library's file contains the version of the header, because cholmod_common differs between
+ * versions. */
 #define TEXT_OF(x) #x
 #define FILE_OF(version) "libcholmod.so." TEXT_OF(version)
 
@@ -59,8 +60,8 @@ vs_sparse *vs_sparse_new(size_t n, size_t entries, const char *purpose, vs_error
   s->n = n;
   s->call.cholmod_start(&s->common);
   s->common.print = 0;
-  s->common.try_catch = 1; /* CHOLMOD reports nothing, not even by its error handler */
-  /* Nested dissection takes longer than minimum degree, and makes less work later: in large systems this pays. */
+  s->common.try_catch = 1; /* prevents that CHOLMOD calls an error handler or prints messages */
+  /* Orders a large matrix by nested dissection: it takes longer than minimum degree, but saves more time later. */
   s->common.nmethods = 1;
   s->common.method[0].ordering = n < DISSECTED ? CHOLMOD_AMD : CHOLMOD_METIS;
   if (n < INT_MAX && entries < INT_MAX)
@@ -86,7 +87,7 @@ void vs_sparse_add(vs_sparse *s, size_t i, size_t j, double v) {
   ((double *)t->x)[t->nnz++] = v;
 }
 
-/* Replaces the matrix A by D A D. */
+/* Scales the matrix A to D A D, whose diagonal is 1. Returns false when memory is out. */
 static bool scale_to_one(vs_sparse *s) {
   const int *from = s->matrix->p, *row = s->matrix->i;
   double *x = s->matrix->x;
@@ -107,7 +108,7 @@ bool vs_sparse_close(vs_sparse *s, bool scaled, vs_error *e) {
   return (s->matrix && (!scaled || scale_to_one(s))) || vs_error_memory(e, NULL);
 }
 
-/* Factors D A D + shift. Returns false when memory is out. */
+/* Factors the matrix D A D + shift * I. Returns false when memory is out. */
 static bool factor_shifted(vs_sparse *s, double shift) {
   double beta[2] = { shift, 0 };
   if (!s->factor) s->factor = s->call.cholmod_analyze(s->matrix, &s->common);
@@ -119,7 +120,8 @@ static bool factor_shifted(vs_sparse *s, double shift) {
 typedef struct { double least; size_t row; } pivots;
 
 static void note_pivot(const vs_sparse *s, size_t row, double pivot, pivots *out) {
-  if (row >= s->factor->minor) pivot = 0; /* the factoring ended before this row */
+  if (row >= s->factor->minor) pivot = 0; /* the factorization ended before this row, because the matrix is not positive
+                                           * definite */
   if (pivot < out->least || pivot != pivot) *out = (pivots){ pivot > 0 ? pivot : 0, row };
 }
 
@@ -146,7 +148,7 @@ bool vs_sparse_factor(vs_sparse *s, double *least, size_t *at, vs_error *e) {
   return true;
 }
 
-/* Sets out := a out + b * matrix * in, columns of n numbers. */
+/* Computes out = a * out + b * matrix * in. in, out: `columns` columns of n numbers. */
 static bool multiply(vs_sparse *s, double b, const double *in, double a, double *out, size_t columns) {
   double alpha[2] = { b, 0 }, beta[2] = { a, 0 };
   double *unchanged = (double *)(uintptr_t)in; /* cholmod_dense has no const member; the call does not change *in */
@@ -155,7 +157,8 @@ static bool multiply(vs_sparse *s, double b, const double *in, double a, double 
   return s->call.cholmod_sdmult(s->matrix, 0, alpha, beta, &x, &y, &s->common);
 }
 
-/* Adds the solution for the columns `sides` of right sides b to x. */
+/* Adds the solutions for several right sides b to x. sides: number of columns of b and of x. Returns false when memory
+ * is out. */
 static bool add_solution(vs_sparse *s, double *b, double *x, size_t sides) {
   size_t count = s->n * sides;
   cholmod_dense right = { s->n, sides, count, s->n, b, NULL, CHOLMOD_REAL, CHOLMOD_DOUBLE };
@@ -178,14 +181,13 @@ bool vs_sparse_solve(vs_sparse *s, double *x, size_t sides, vs_error *e) {
   return ok || vs_error_memory(e, NULL);
 }
 
-/* Inverse iteration: a solution for D A D + shift is above all a multiple of the vectors that D A D maps to the
- * smallest multiples of themselves. */
+/* Inverse iteration: solving with D A D + shift repeatedly leaves the vector that D A D nearly maps to 0. */
 bool vs_sparse_softest(vs_sparse *s, size_t at, double *v, vs_error *e) {
   enum { TURNS = 12 };
   VS_ASSERT(s->matrix && s->scale && at < s->n);
   double *b;
   bool ok = VS_FRESH(b, s->n) && factor_shifted(s, 1e-10);
-  /* A vector that no symmetry of the matrix leaves unchanged: a symmetric vector could miss an unsymmetric motion. */
+  /* The start vector is not symmetric, because a symmetric one could miss a motion without symmetry. */
   for (size_t i = 0; ok && i < s->n; i++) v[i] = 1e-3 * sin(1 + 1.7 * (double)i);
   if (ok) v[at] = 1;
   for (int turn = 0; ok && turn < TURNS; turn++) {

@@ -1,4 +1,4 @@
-/* Declares systems of linear equations whose matrix is sparse, symmetric and positive definite. CHOLMOD, which is
+/* Declares systems of linear equations whose matrix is sparse, symmetric and positive definite. The library CHOLMOD,
  * loaded at the first use, orders and factors the matrix. */
 #ifndef VS_GEOMETRY_STRUCTURE_SPARSE_SYSTEM_H
 #define VS_GEOMETRY_STRUCTURE_SPARSE_SYSTEM_H
@@ -10,28 +10,29 @@
 
 typedef struct vs_sparse vs_sparse;
 
-/* Returns an empty matrix of n rows (n is above 0) with room for `entries` calls of vs_sparse_add. The caller frees the
- * matrix by vs_sparse_free. Returns NULL and sets *e when memory is out or CHOLMOD is missing; purpose is the feature
- * that the message names. */
+/* Returns an empty matrix of n > 0 rows. entries: greatest number of calls of vs_sparse_add; purpose: the feature that
+ * needs CHOLMOD, for the message. Returns NULL and sets *e when memory is out or CHOLMOD is missing. The caller frees
+ * the matrix with vs_sparse_free. */
 vs_sparse *vs_sparse_new(size_t n, size_t entries, const char *purpose, vs_error *e);
-void vs_sparse_free(vs_sparse *s); /* s may be NULL */
+void vs_sparse_free(vs_sparse *s); /* frees s, which may be NULL */
 
-/* Adds v to the entries (i, j) and (j, i). Entries may be added to several times. */
+/* Adds v to the entries (i, j) and (j, i) of the matrix. May be called several times for one entry. */
 void vs_sparse_add(vs_sparse *s, size_t i, size_t j, double v);
-/* Ends the adding. If `scaled`, the matrix is kept as D A D with the diagonal 1, which all functions below hide. All
- * diagonal entries are then above 0. Returns false when memory is out. */
+/* Completes the matrix, to which no entries can then be added. If `scaled` is true, it is stored as D A D with the
+ * diagonal 1; the functions below undo this scaling in their results. All diagonal entries must then be above 0.
+ * Returns false when memory is out. */
 bool vs_sparse_close(vs_sparse *s, bool scaled, vs_error *e);
 
-/* Factors a closed, scaled matrix. *least: the smallest pivot of D A D, or 0 if the matrix is singular; *at: its row.
- * Returns false when memory is out. */
+/* Factors a completed, scaled matrix. *least: its smallest pivot (1 for a diagonal matrix), or 0 if the matrix is
+ * singular; *at: row of this pivot. Returns false when memory is out. */
 bool vs_sparse_factor(vs_sparse *s, double *least, size_t *at, vs_error *e);
-/* Replaces `sides` columns of n numbers each, the right sides, by the solutions, with one step of refinement. The
- * matrix has been factored. Returns false when memory is out. */
+/* Solves the equations: replaces the `sides` columns of x, right sides of n numbers each, by the solutions, with one
+ * step of refinement. The matrix has been factored. Returns false when memory is out. */
 bool vs_sparse_solve(vs_sparse *s, double *x, size_t sides, vs_error *e);
-/* Sets v to the n numbers of a vector that the matrix nearly maps to 0, for a matrix whose smallest pivot, in row `at`,
- * is nearly 0. Returns false when memory is out. */
+/* For a nearly singular matrix, sets v to a vector that it nearly maps to 0; v has n numbers. at: row of its smallest
+ * pivot. Returns false when memory is out. */
 bool vs_sparse_softest(vs_sparse *s, size_t at, double *v, vs_error *e);
-/* Sets y to the product of the closed matrix and x. Returns false when memory is out. */
+/* Sets y to the product of the completed matrix and x. Returns false when memory is out. */
 bool vs_sparse_times(vs_sparse *s, const double *x, double *y);
 
 #endif

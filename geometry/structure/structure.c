@@ -7,7 +7,8 @@
 #include "geometry/structure/structure_system.h"
 #include "model/store/array.h"
 
-/* Adds the loads of all members in a case to the loads of the nodes. */
+/* In load case c, adds the distributed loads of all members to the loads of their nodes. loads: the case's loads of all
+ * nodes. */
 static void add_lines(const vs_structure *s, size_t c, double *loads) {
   for (size_t i = 0; i < s->member_count; i++) {
     const vs_structure_member *m = &s->members[i];
@@ -28,7 +29,8 @@ static void add_lines(const vs_structure *s, size_t c, double *loads) {
 
 typedef struct { vs_structure_system system; vs_structure_state *out; } solved;
 
-/* Sets the ends of all members in case c, and the reactions; `loads` are those of the nodes alone. */
+/* For load case c, computes the forces on the ends of all members, and the reactions of the supports. loads: the case's
+ * loads on nodes, without those on members. */
 static void find_forces(const solved *w, size_t c, const double *loads) {
   const vs_structure *s = w->system.s;
   const double *moved = &w->out->moved[c * s->count * VS_WAYS];
@@ -57,7 +59,8 @@ static void find_forces(const solved *w, size_t c, const double *loads) {
     if (!s->held[i]) reactions[i] = 0;
 }
 
-/* loads: of nodes and members, for each case. */
+/* Solves the equations for all load cases, and sets the movements of the nodes. loads: loads of nodes, including those
+ * of members, for each case. Returns false on failure. */
 static bool find_movements(const solved *w, const double *loads, vs_error *e) {
   const vs_structure *s = w->system.s;
   size_t ways = s->count * VS_WAYS;
@@ -76,9 +79,9 @@ static bool find_movements(const solved *w, const double *loads, vs_error *e) {
   return ok;
 }
 
-/* Returns true if all results are numbers. Very great loads or very small stiffnesses make infinite ones. */
+/* Returns true if all results are finite. Very great loads or very small stiffnesses make them infinite. */
 static bool is_finite(const vs_structure *s, const vs_structure_state *out) {
-  double sum = 0; /* 0 times an infinite number is not a number */
+  double sum = 0; /* 0 times a result is 0, or NaN if the result is infinite; so the sum shows whether all are finite */
   for (size_t i = 0; i < s->cases * s->count * VS_WAYS; i++) sum += 0 * out->moved[i] + 0 * out->reactions[i];
   for (size_t i = 0; i < s->cases * s->member_count * VS_MEMBER_WAYS; i++) sum += 0 * out->ends[i];
   return isfinite(sum);

@@ -1,8 +1,8 @@
 /* Declares structures: nodes, and straight members between them that carry forces. Units are metre, newton, pascal.
  *
- * A node has six ways to move: along x, y and z, and turns about them. A member's own axes are: x from its first node
- * to its second; y horizontal; z upwards as far as the member allows. A vertical member has the global y for its own.
- * The roll turns y and z about x. */
+ * A node has six degrees of freedom (`ways` in the code): displacements along x, y and z, and rotations about them. A
+ * member's own axes are: x from its first node to its second; y horizontal; z upwards as far as the member allows. The
+ * own y of a vertical member is the global y. The roll turns y and z about x. */
 #ifndef VS_GEOMETRY_STRUCTURE_STRUCTURE_H
 #define VS_GEOMETRY_STRUCTURE_STRUCTURE_H
 
@@ -13,41 +13,51 @@
 #include "model/model_error.h"
 #include "model/vec.h"
 
-enum { VS_WAYS = 6, VS_MEMBER_WAYS = 12 }; /* ways to move of a node, and of both ends of a member */
+enum { VS_WAYS = 6, VS_MEMBER_WAYS = 12 }; /* number of degrees of freedom of a node (displacements along x, y, z, then
+                                            * rotations about them), and of both ends of a member */
 
 typedef struct {
-  uint32_t from, to;       /* indices of nodes */
-  double area;             /* m2, above 0 */
-  double bend_y, bend_z;   /* second moments of area about the own y and z, in m4; 0: the member carries no moments */
-  double twist;            /* torsion constant, in m4 */
-  double modulus, shear;   /* moduli of elasticity and of shear, in Pa; modulus is above 0 */
-  double roll;             /* radians */
-  bool hinged[2];          /* whether an end carries no bending moments; a member with two hinges carries no torsion */
+  uint32_t from, to;       /* indices of the nodes at the member's two ends */
+  double area;             /* area of the member's cross-section, in m2, above 0 */
+  double bend_y, bend_z;   /* second moments of area about the member's own y and z axes, in m4; 0: the member carries
+                            * no moments */
+  double twist;            /* torsion constant of the cross-section, in m4 */
+  double modulus, shear;   /* moduli of elasticity and of shear, in Pa; the modulus of elasticity is above 0 */
+  double roll;             /* angle by which the own y and z axes are turned about x, in radians */
+  bool hinged[2];          /* hinged[i]: true if end i of the member carries no bending moments; a member with two
+                            * hinges carries no torsion */
 } vs_structure_member;
 
 typedef struct {
   const vs_vec3 *at;
   size_t count;
-  const vs_structure_member *members; /* their nodes are below count, and their lengths above 0 */
+  const vs_structure_member *members; /* the members; their nodes are indices below `count`, and their lengths are above
+                                       * 0 */
   size_t member_count;
-  const bool *held;    /* VS_WAYS a node: whether a support holds it */
+  const bool *held;    /* held[VS_WAYS * n + i]: true if a support holds degree of freedom i of node n */
   size_t cases;        /* number of load cases */
-  const double *loads; /* VS_WAYS a node, for each case: forces in N and moments in Nm */
-  const double *lines; /* three numbers a member, for each case: load along the member in N/m, on global axes */
+  const double *loads; /* loads on nodes: VS_WAYS numbers for each node, for each load case; forces in N, then moments
+                        * in Nm */
+  const double *lines; /* distributed loads on members, in N/m of the member's length, in global axes: three numbers for
+                        * each member, for each load case */
 } vs_structure;
 
-/* The state under each case, in arrays that the caller has made. */
+/* The results for each load case. The caller owns the arrays. */
 typedef struct {
-  double *moved;     /* VS_WAYS a node, for each case: m and radians, on global axes */
-  double *ends;      /* VS_MEMBER_WAYS a member, for each case: forces and moments of the nodes on its ends, on its own
-                      * axes */
-  double *reactions; /* VS_WAYS a node, for each case: forces and moments of the supports */
-  bool *loose;       /* a node: true if nothing held it in some direction, in which nothing loads it either */
+  double *moved;     /* movements of nodes, in global axes: VS_WAYS numbers for each node, for each load case;
+                      * displacements in m, then rotations in radians */
+  double *ends;      /* forces in N and moments in Nm that nodes exert on members, in the member's own axes:
+                      * VS_MEMBER_WAYS numbers for each member, for each load case */
+  double *reactions; /* forces in N and moments in Nm by the supports: VS_WAYS numbers for each node, for each load
+                      * case */
+  bool *loose;       /* loose[n]: true if nothing holds node n in some direction; the result is valid because no load
+                      * acts in that direction */
 } vs_structure_state;
 
 typedef enum {
   VS_STRUCTURE_DONE,
-  VS_STRUCTURE_MOVES,   /* the structure is a mechanism: node `where` moves by `motion` without resistance */
+  VS_STRUCTURE_MOVES,   /* the structure is a mechanism: node `where` can move in the direction `motion` without
+                         * resistance */
   VS_STRUCTURE_STOPPED, /* the caller has interrupted */
   VS_STRUCTURE_FAILED   /* memory is out or a library is missing; the error is set */
 } vs_structure_outcome;
@@ -57,7 +67,8 @@ typedef struct {
   double motion[VS_WAYS];
 } vs_structure_report;
 
-/* Computes the state of the structure, which is linear: displacements are small. */
+/* Computes the movements and forces of the structure for all load cases, by linear theory: displacements are assumed to
+ * be small. */
 vs_structure_outcome vs_structure_solve(const vs_structure *s, vs_structure_state *out, vs_long_work work,
                                         vs_structure_report *report, vs_error *e);
 

@@ -1,5 +1,5 @@
-/* Implements the modes of structures (structure_modes.h). Members that bend are cut into segments: between two nodes,
- * cubics are too stiff for modes. */
+/* Implements the modes of structures (structure_modes.h). Members that bend are cut into segments, because a single
+ * cubic curve between two nodes is too stiff for modes. */
 #include "geometry/structure/structure_modes.h"
 
 #include <math.h>
@@ -9,16 +9,18 @@
 #include "geometry/structure/structure_system.h"
 #include "model/store/array.h"
 
-#define NO_VALUE 1e-18 /* smaller eigenvalues are rounding; they belong to factors beyond 1e18 and to Gigahertz */
+#define NO_VALUE 1e-18 /* Eigenvalues below this are rounding errors: they would belong to load factors above 1e18, or
+                        * to frequencies of gigahertz. */
 
-/* The structure whose members are segments. */
+/* The structure after its members were cut into segments, which are its members now. */
 typedef struct {
   const vs_modes_problem *p;
   vs_structure s;
   vs_vec3 *at;
   vs_structure_member *members;
   bool *held, *loose;
-  double *loads, *force, *mass; /* force and mass: of each segment */
+  double *loads, *force, *mass; /* force: axial force in each segment, in N; mass: mass of each segment, in kg; loads:
+                                 * no loads, all 0 */
   vs_structure_spin *spins;
   size_t spin_count;
 } cut;
@@ -30,8 +32,9 @@ static void free_cut(cut *c) {
 
 static size_t parts_of(const cut *c, const vs_structure_member *m) { return m->bend_y > 0 ? c->p->parts : 1; }
 
-/* Cuts member i; its inner nodes and its segments come next. A member with two hinges carries no torsion: its outer
- * segments have none, and something else holds the spin of the others. */
+/* Cuts member i: appends its inner nodes and its segments. A member with two hinges carries no torsion. Therefore its
+ * outer segments have no torsional stiffness, and an entry of c->spins holds the rotation of the inner ones about the
+ * axis. */
 static void cut_member(cut *c, size_t i) {
   const vs_structure_member *m = &c->p->s->members[i];
   size_t parts = parts_of(c, m);
@@ -75,7 +78,8 @@ static bool make_cut(cut *c, vs_error *e) {
   return true;
 }
 
-/* Sets *out to the matrix of the axial forces, with the other sign, or of the masses. */
+/* Sets *out to the second matrix of the eigenvalue problem: the stiffness change by the axial forces, with the opposite
+ * sign, or the mass matrix. Returns false on failure. */
 static bool other_matrix(const cut *c, const vs_structure_system *w, vs_sparse **out, vs_error *e) {
   enum { MEMBER = VS_MEMBER_WAYS * (VS_MEMBER_WAYS + 1) / 2 };
   *out = vs_sparse_new(w->rows, c->s.member_count * MEMBER + c->s.count * 3, "modes of frames", e);
@@ -103,14 +107,14 @@ static bool other_matrix(const cut *c, const vs_structure_system *w, vs_sparse *
   return vs_sparse_close(*out, false, e);
 }
 
-/* Sets the shape of a mode from its vector. */
+/* Computes the shape of a mode, the movements at the ends of all segments, from its eigenvector. */
 static void set_shape(const cut *c, const vs_structure_system *w, const double *vector, double *shape) {
   size_t stride = (c->p->parts + 1) * 3, segment = 0;
   double most = 0;
   for (size_t i = 0; i < c->p->s->member_count; i++) {
     size_t parts = parts_of(c, &c->p->s->members[i]);
     for (size_t k = 0; k <= c->p->parts; k++) {
-      /* a bar that does not bend stays straight */
+      /* a member that is not cut stays straight: its movements are interpolated between its ends */
       double t = parts > 1 ? 0 : (double)k / (double)c->p->parts, d[2][3];
       const vs_structure_member *m = &c->members[segment + (parts > 1 && k == parts ? k - 1 : parts > 1 ? k : 0)];
       size_t ends[2] = { parts > 1 && k == parts ? m->to : m->from, m->to };

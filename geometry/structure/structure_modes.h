@@ -5,17 +5,19 @@
 #include "geometry/structure/structure.h"
 
 typedef struct {
-  const vs_structure *s;   /* its loads count for nothing */
-  const double *axial;     /* buckling: two numbers a member, the axial forces at its ends; NULL: vibration */
-  const double *mass;      /* vibration: of each member, in kg */
-  const double *node_mass; /* vibration: of each node, in kg */
-  size_t parts;            /* segments into which a member that bends is cut, 1 or more */
-  size_t want;             /* greatest number of modes, 1 or more */
+  const vs_structure *s;   /* the structure, whose loads are ignored */
+  const double *axial;     /* for buckling: axial forces at the two ends of each member, in N, positive for tension;
+                            * NULL: vibration */
+  const double *mass;      /* for vibration: mass of each member, in kg */
+  const double *node_mass; /* for vibration: additional mass at each node, in kg */
+  size_t parts;            /* number of segments into which each member that bends is cut, at least 1 */
+  size_t want;             /* greatest number of modes to compute, at least 1 */
 } vs_modes_problem;
 
-/* Sets values[0..], in rising order, to the factors by which the axial forces grow until the structure buckles, or to
- * frequencies in Hz. Sets shapes, (parts + 1) * 3 numbers a member for each mode, to movements at the ends of the
- * segments; the greatest has the length 1. Sets *found to the number of modes; 0: nothing buckles. */
+/* Computes modes of buckling or vibration. values: factors by which the axial forces grow until the structure buckles,
+ * or frequencies in Hz; in ascending order. shapes: movements at the ends of the segments, (parts + 1) * 3 numbers for
+ * each member and mode; the greatest movement of a mode has the length 1. *found: number of modes; 0 if nothing
+ * buckles. */
 vs_structure_outcome vs_structure_modes(const vs_modes_problem *p, vs_long_work work, double *values, double *shapes,
                                         size_t *found, vs_structure_report *report, vs_error *e);
 

@@ -6,7 +6,8 @@
 
 #include "model/store/array.h"
 
-#define SINGULAR 1e-12 /* a smaller pivot is rounding: the structure is a mechanism */
+#define SINGULAR 1e-12 /* pivot of the scaled matrix below which the structure counts as a mechanism, because the pivot
+                        * may be a rounding error */
 
 static void member_global(const vs_structure *s, size_t i, vs_member_matrix k, vs_vec3 axes[3]) {
   const vs_structure_member *m = &s->members[i];
@@ -31,7 +32,8 @@ static void add_own_stiffness(vs_structure_system *w) {
 
 /* ---- nodes that nothing holds ---- */
 
-/* Returns true if a case loads node n in the direction `motion`. loads: of all nodes, for each case. */
+/* Returns true if a load acts on node n in the direction `motion` in some load case. loads: loads of all nodes, for
+ * each load case. */
 static bool is_loaded(const vs_structure *s, const double *loads, size_t n, const double motion[VS_WAYS]) {
   for (size_t c = 0; c < s->cases; c++) {
     const double *f = &loads[(c * s->count + n) * VS_WAYS];
@@ -50,8 +52,8 @@ static bool moves(vs_structure_report *report, size_t n, const double motion[VS_
   return false;
 }
 
-/* Numbers the ways of node n that move. Holds loose directions that no case
- * loads. Returns false if a case loads one. */
+/* Numbers the degrees of freedom of node n that can move. Holds directions in which neither members nor supports hold
+ * the node. Returns false, and reports the motion, if a load acts in such a direction. */
 static bool number_node(vs_structure_system *w, size_t n, const double *loads, vs_structure_report *report) {
   const bool *held = &w->s->held[n * VS_WAYS];
   double motion[VS_WAYS][VS_WAYS];
@@ -98,10 +100,11 @@ static bool assemble(vs_structure_system *w, vs_error *e) {
   return vs_sparse_close(w->equations, true, e);
 }
 
-/* Reports the node that moves most in the motion v of all ways that move. */
+/* Reports the node that moves most in the motion v, which has a number for each row of the equations. */
 static void report_motion(const vs_structure_system *w, const double *v, vs_structure_report *report) {
   double most = 0;
-  for (int first = 0; first < VS_WAYS && most <= 0; first += 3) /* turns count if no node moves */
+  for (int first = 0; first < VS_WAYS && most <= 0; first += 3) /* compares displacements of nodes first; compares
+                                                                 * rotations only if no node is displaced */
     for (size_t n = 0; n < w->s->count; n++) {
       double motion[VS_WAYS], size = 0, all = 0;
       for (int i = 0; i < VS_WAYS; i++) {
@@ -122,7 +125,7 @@ static bool find_motion(vs_structure_system *w, size_t at, vs_structure_report *
   return ok;
 }
 
-/* Holds the turns of a node about an axis. Its stiffness against them is set already. */
+/* Adds the stiffness of an entry of `spins` to its node, which holds the node's rotation about an axis. */
 static void hold_spin(vs_structure_system *w, const vs_structure_spin *spin) {
   const double d[3] = { spin->axis.x, spin->axis.y, spin->axis.z };
   for (int i = 0; i < 3; i++)

@@ -1,4 +1,5 @@
-/* Declares the equations of a structure: which ways of its nodes move, and the factored stiffness of these. */
+/* Declares the equations of a structure: which degrees of freedom of its nodes can move, and the factored stiffness
+ * matrix for these. */
 #ifndef VS_GEOMETRY_STRUCTURE_STRUCTURE_SYSTEM_H
 #define VS_GEOMETRY_STRUCTURE_STRUCTURE_SYSTEM_H
 
@@ -7,34 +8,37 @@
 #include "geometry/structure/sparse_system.h"
 #include "geometry/structure/structure.h"
 
-#define VS_HELD UINT32_MAX /* row of a way that does not move */
+#define VS_HELD UINT32_MAX /* value in `row` for a degree of freedom that cannot move, and so has no row in the
+                            * equations */
 
-/* A node whose turns about an axis something beside the members holds. */
+/* A node whose rotation about an axis is held by a stiffness that belongs to no member. */
 typedef struct {
   size_t node;
-  vs_vec3 axis;     /* of length 1 */
-  double stiffness; /* Nm */
+  vs_vec3 axis;     /* unit vector along the axis of the rotation */
+  double stiffness; /* stiffness against the rotation, in Nm for each radian */
 } vs_structure_spin;
 
-/* The caller sets the first members, and zeros the others. */
+/* The caller sets s, loose, spins and spin_count, and all further members to 0. */
 typedef struct {
   const vs_structure *s;
-  bool *loose; /* of each node: a member of vs_structure_state */
+  bool *loose; /* loose[n]: receives the member `loose` of vs_structure_state for node n */
   const vs_structure_spin *spins;
   size_t spin_count;
-  vs_node_stiffness *own; /* of each node: stiffness that holds its loose directions */
-  uint32_t *row;          /* of each way of each node: its row in the equations, or VS_HELD */
+  vs_node_stiffness *own; /* own[n]: stiffness that holds node n in directions in which nothing else holds it */
+  uint32_t *row;          /* row[VS_WAYS * n + i]: row in the equations of degree of freedom i of node n, or VS_HELD */
   size_t rows;
-  vs_sparse *equations;   /* factored; NULL if no way moves */
+  vs_sparse *equations;   /* the factored stiffness matrix; NULL if no degree of freedom can move */
 } vs_structure_system;
 
-/* Makes and factors the equations. loads: of nodes and members, VS_WAYS a node for each case; they decide whether a
- * loose direction is a mechanism. The caller frees the system, after a failure, too. */
+/* Makes and factors the equations. loads: loads of nodes, including those of members, VS_WAYS numbers for each node and
+ * load case. If a load acts in a direction in which nothing holds a node, the structure is a mechanism. The caller
+ * frees the system, even after a failure. */
 vs_structure_outcome vs_structure_system_make(vs_structure_system *w, const double *loads, vs_structure_report *report,
                                               vs_error *e);
 void vs_structure_system_free(vs_structure_system *w);
 
-/* Returns the place of way i of a member's ends among the ways of all nodes. */
+/* Returns the index, among the degrees of freedom of all nodes, of degree of freedom i of a member's ends; i is 0 to
+ * VS_MEMBER_WAYS - 1. */
 static inline size_t vs_structure_way(const vs_structure_member *m, int i) {
   return (size_t)(i < VS_WAYS ? m->from : m->to) * VS_WAYS + (size_t)(i % VS_WAYS);
 }

@@ -1,5 +1,5 @@
 /* Reads fonts with the library FreeType, which is loaded for the first text. Each store has one instance of the
- * library, and one face for each font.
+ * library, and one FreeType face for each font.
  *
  * FreeType allocates its memory from the store, so that limits apply, and a refused allocation is noticed. This is
  * necessary because FreeType omits a table for which there is no memory, and continues. A text without kerning would
@@ -43,12 +43,12 @@ typedef struct {
   vs_store *store;
   struct FT_MemoryRec_ memory;
   FT_Library library;
-  bool refused; /* true if the store has refused FreeType memory since `refused` was last set to false */
+  bool refused; /* true if FreeType has asked the store for memory in vain since `refused` was last set to false */
   vs_font *first;
 } font_shelf;
 
 struct vs_font {
-  vs_store *store; /* store that owns this structure; the pointer does not count as a reference to the store */
+  vs_store *store; /* store that owns this structure, which holds no reference to the store */
   font_shelf *shelf;
   vs_font *next;
   const char *name;
@@ -56,7 +56,7 @@ struct vs_font {
   void *bytes; /* copy of the bytes of the font's file; NULL if FreeType reads the file itself */
   size_t size;
   double capital;
-  vs_nodemap glyphs; /* maps the index of a glyph, plus 1, to the address of its vs_glyph */
+  vs_nodemap glyphs; /* maps the index of a glyph, plus 1, to the address of its outline (vs_glyph) */
   unsigned char *pairs; /* the GPOS table (kerning) of a font that has no kern table; else NULL */
   size_t pairs_size;
 };
@@ -94,7 +94,8 @@ static void font_free(vs_font *f) {
     vs_store_realloc(s, g, sizeof *g, 0);
   }
   vs_nodemap_free(&f->glyphs);
-  vs_store_realloc(s, f->bytes, f->size, 0); /* FreeType's face is freed with the library, or was never made */
+  vs_store_realloc(s, f->bytes, f->size, 0); /* frees the rest of the font; FreeType's face is freed with the library,
+                                              * or was never made */
   vs_store_realloc(s, f->pairs, f->pairs_size, 0);
   vs_store_realloc(s, f, sizeof *f, 0);
 }
@@ -153,8 +154,8 @@ bool vs_font_is_path(const char *name) {
   return false;
 }
 
-/* Measures the height of the font's letter H, so that a text's size means the same height in every font. A font of
- * symbols without an H gets the usual height, .7 of the em. */
+/* Measures the height of the font's letter H. Sizes of text refer to it, so that they mean the same height in every
+ * font. A font of symbols without an H gets the usual height, .7 of the em. */
 static bool font_measure(vs_font *f, vs_error *e) {
   uint32_t index = vs_font_index(f, 'H');
   f->capital = 0.7 * f->face->units_per_EM;
@@ -170,7 +171,7 @@ static bool font_measure(vs_font *f, vs_error *e) {
 /* Loads the GPOS table of a font that has no kern table. Returns false when memory is out. */
 static bool font_load_pairs(vs_font *f) {
   const dynamic_functions *ft = &f->shelf->call;
-  const FT_ULong gpos = 0x47504F53; /* gpos: the four letters 'GPOS' as FreeType writes a table's name */
+  const FT_ULong gpos = 0x47504F53; /* gpos: the name of the table, the four letters 'GPOS', as one number */
   FT_ULong size = 0;
   enum { MOST = 8 << 20 };
   if (FT_HAS_KERNING(f->face) || ft->table(f->face, gpos, 0, NULL, &size) || size == 0 || size > MOST)
@@ -186,13 +187,13 @@ static bool font_load_pairs(vs_font *f) {
   return !f->shelf->refused;
 }
 
-/* Frees a font that could not be read completely. */
+/* Frees a font that could be read only partly. */
 static void font_drop(vs_font *f) {
   if (f->face) f->shelf->call.close(f->face);
   font_free(f);
 }
 
-/* The source of a font: the contents of a font file in `bytes`, which are copied, or if bytes is NULL, the file at
+/* The source of a font: the contents of a font file in `bytes`, which are copied; or if bytes is NULL, the file at
  * `path`. */
 typedef struct { const char *name, *path; const void *bytes; size_t size; } font_source;
 
@@ -353,8 +354,8 @@ const vs_glyph *vs_font_glyph(vs_font *f, uint32_t index, vs_error *e) {
       problem = ft->decompose(&f->face->glyph->outline, &functions, &d);
   }
   if (problem || f->shelf->refused) {
-    if (problem == 1 || f->shelf->refused) vs_error_memory(e, NULL); /* the callback font_step returns 1 when memory is
-                                                                      * out */
+    if (problem == 1 || f->shelf->refused) vs_error_memory(e, NULL); /* the callback font_step has returned 1, or
+                                                                      * FreeType was refused memory: memory is out */
     else
       vs_error_set(e, VS_ERROR_MODEL, NULL, "the font \"%.100s\" is damaged: glyph %lu cannot be read", f->name,
                    (unsigned long)index);

@@ -20,8 +20,8 @@
 enum { NAME_ROOM = 128, PATH_ROOM = 1024, DEPTH_MAX = 5 };
 
 typedef struct { char folder[PATH_ROOM]; int depth; } font_folder;
-/* The function that a search calls for each font file, in an order that depends only on the names. Returns true to stop
- * the search. */
+/* A function that a search calls for each font file; the order of calls depends only on the files' names. Returns true
+ * to stop the search. */
 typedef bool font_file_fn(void *context, const char *path, const char *plain);
 
 static void plain_name(const char *text, size_t length, char out[NAME_ROOM]) {
@@ -140,8 +140,7 @@ static bool list_look(void *context, const char *path, const char *plain) {
     shown[n++] = *c;
   }
   shown[n] = '\0';
-  if (!strcmp(shown, "DejaVu Sans")) return false; /* the default family is skipped, because it is already at the
-                                                    * beginning of the list */
+  if (!strcmp(shown, "DejaVu Sans")) return false; /* omits the default family, with which the list already begins */
   int wrote = snprintf(l->text + l->used, l->room - l->used, "%s%s", l->used ? ", " : "", shown);
   if (wrote < 0 || (size_t)wrote >= l->room - l->used) {
     l->text[l->used] = '\0';
@@ -151,8 +150,8 @@ static bool list_look(void *context, const char *path, const char *plain) {
   return false;
 }
 
-/* In the list that this function writes, the default font comes first if it is installed. Messages then begin with the
- * same text on every machine. */
+/* vs_font_families puts the default font first in the list, if it is installed, so that messages begin with the same
+ * text on every machine. */
 void vs_font_families(char *text, size_t room) {
   static const char usual[] = "DejaVu Sans";
   char path[PATH_ROOM];

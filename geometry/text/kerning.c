@@ -1,5 +1,5 @@
-/* Reads kerning pairs from the GPOS table of a font: every lookup of the feature `kern` that has type 2, or type 9 that
- * refers to type 2.
+/* Reads kerning pairs from the GPOS table of a font: from every lookup of the feature `kern` that has type 2, or type 9
+ * that refers to type 2.
  *
  * Names are those of the OpenType specification; numbers are big-endian. Every read is checked against the size of the
  * table, because users may supply broken fonts. */
@@ -53,8 +53,8 @@ static size_t bits(uint32_t format) {
   return count;
 }
 
-/* Returns the horizontal advance (XAdvance) in a value record, or 0 if it has none. Each bit of the format states
- * whether a member exists. The first members are XPlacement, YPlacement and XAdvance. */
+/* Returns the horizontal advance (XAdvance) in a value record, or 0 if the record does not have it. Each bit of
+ * `format` states whether a member exists: first XPlacement, then YPlacement, then XAdvance. */
 static int32_t advance(const table *t, size_t record, uint32_t format) {
   return format & 4 ? s16(t, record + 2 * bits(format & 3)) : 0;
 }
@@ -110,7 +110,7 @@ double vs_kerning_pair(const unsigned char *bytes, size_t size, uint32_t left, u
   uint32_t feature_count = u16(&t, features), lookup_count = u16(&t, lookups);
   double sum = 0;
   bool seen[256] = { false }; /* seen[i]: true if lookup i was already read, because several scripts refer to the same
-                               * lookups; fonts have fewer than 256 */
+                               * lookups; fonts have fewer than 256 lookups */
   for (uint32_t i = 0; i < feature_count; i++) {
     size_t row = features + 2 + 6 * (size_t)i;
     if (u32(&t, row) != 0x6B65726E) continue; /* 0x6B65726E: the four letters 'kern', name of the feature */

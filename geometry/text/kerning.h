@@ -1,4 +1,4 @@
-/* Declares, for use in geometry/ alone, kerning from OpenType fonts: pairs in the table GPOS. (FreeType reads the older
+/* Declares kerning from OpenType fonts, for use in geometry/ alone: pairs in the table GPOS. (FreeType reads the older
  * table kern.) */
 #ifndef VS_GEOMETRY_TEXT_KERNING_H
 #define VS_GEOMETRY_TEXT_KERNING_H

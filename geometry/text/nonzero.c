@@ -1,4 +1,4 @@
-/* Converts the contours of a font to loops that bound the ink.
+/* Converts the contours of a font to loops that bound the ink (the area that is printed).
  *
  * Contours rarely cross. If no contours cross, only their nesting matters: the winding number beside a loop is the sum
  * of the directions of the loops that contain it. To find crossings, a sweep goes over the segments in order of x. */
@@ -25,7 +25,7 @@ bool vs_flat_loops_begin(vs_flat_loops *l) {
 
 bool vs_flat_loops_add(vs_flat_loops *l, vs_vec2 p) {
   vs_flat_loop *loop = l->count ? &l->loops[l->count - 1] : NULL;
-  if (!loop) return true; /* no contour has begun yet, so there is no loop to which the point belongs */
+  if (!loop) return true; /* no loop has begun yet, so the point is ignored */
   if (loop->count && l->at[l->point_count - 1].x == p.x && l->at[l->point_count - 1].y == p.y) return true;
   if (!VS_GROW(l->at, l->point_room, l->point_count + 1)) return false;
   l->at[l->point_count++] = p;
@@ -39,7 +39,7 @@ typedef struct { double min_x, min_y, max_x, max_y, area; int inside, outside; s
 
 static double cross(vs_vec2 a, vs_vec2 b, vs_vec2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
-/* Computes the bounding box and signed area of the loop, whose points are in l. */
+/* Computes the bounding box and the signed area of a loop of l. */
 static loop_facts facts_of(const vs_flat_loops *l, const vs_flat_loop *loop) {
   const vs_vec2 *p = l->at + loop->first;
   loop_facts f = { INFINITY, INFINITY, -INFINITY, -INFINITY, 0, 0, 0, SIZE_MAX };
@@ -52,7 +52,7 @@ static loop_facts facts_of(const vs_flat_loops *l, const vs_flat_loop *loop) {
   return f;
 }
 
-/* Returns true if the place `at` is inside the loop, whose points are in l. */
+/* Returns true if the point `at` is inside a loop of l. */
 static bool holds(const vs_flat_loops *l, const vs_flat_loop *loop, vs_vec2 at) {
   const vs_vec2 *p = l->at + loop->first;
   bool inside = false;
@@ -63,8 +63,8 @@ static bool holds(const vs_flat_loops *l, const vs_flat_loop *loop, vs_vec2 at) 
   return inside;
 }
 
-/* Removes the last point of each loop if it equals the first. Removes loops with fewer than three points or without
- * area. */
+/* Removes the last point of each loop of l if it equals the first point. Then removes loops with fewer than three
+ * points or without area. */
 static void drop_flat(vs_flat_loops *l) {
   size_t kept = 0;
   for (size_t i = 0; i < l->count; i++) {
@@ -131,7 +131,7 @@ static bool any_cross(const vs_flat_loops *l, bool *found) {
 
 /* ---- loops that do not cross ---- */
 
-/* Reverses the direction of a loop, whose points are in l. */
+/* Reverses the direction of a loop of l. */
 static void turn(vs_flat_loops *l, const vs_flat_loop *loop) {
   vs_vec2 *p = l->at + loop->first;
   VS_ASSERT(loop->first + loop->count <= l->point_count);
@@ -142,8 +142,8 @@ static void turn(vs_flat_loops *l, const vs_flat_loop *loop) {
   }
 }
 
-/* Removes loops that do not bound ink, and places each hole after its outer loop. No two loops may cross. Returns false
- * when memory is out. */
+/* Removes loops that do not bound ink (the printed area), and places each hole after its outer loop. No two loops may
+ * cross. Returns false when memory is out. */
 static bool nest(vs_flat_loops *l) {
   size_t n = l->count, done = 0;
   loop_facts *f = vs_fresh(n + 1, sizeof *f);

@@ -1,13 +1,13 @@
-/* Declares, for use in geometry/ alone, loops in a plane that may cross themselves and each other, and the area that
- * they bound. By the rule of fonts, the ink is where the winding number is not 0. */
+/* Declares loops in a plane that may cross themselves and each other, and the area that they bound; for use in
+ * geometry/ alone. By the rule of fonts, the ink (printed area) is where the winding number is not 0. */
 #ifndef VS_GEOMETRY_TEXT_NONZERO_H
 #define VS_GEOMETRY_TEXT_NONZERO_H
 
 #include "geometry/plane/ear_clipping.h"
 #include "model/node.h"
 
-/* A closed loop: `count` points from index `first` in the array `at` of vs_flat_loops. The first point is not repeated
- * at the end. */
+/* A closed loop: `count` points of the array `at` of vs_flat_loops, from index `first` on. The first point is not
+ * repeated at the end. */
 typedef struct { size_t first, count; bool hole; } vs_flat_loop;
 typedef struct {
   vs_vec2 *at;

@@ -30,8 +30,8 @@ static bool text_push(vs_text_plan *p, const vs_glyph *g, double x, double y) {
   return true;
 }
 
-/* Returns true for characters that are not displayed, so that a missing glyph does not matter: control characters,
- * joiners, direction marks, variation selectors. */
+/* Returns true for characters that are never displayed, so that a font need not have a glyph for them: control
+ * characters, joiners, direction marks, variation selectors. */
 static bool text_is_silent(uint32_t c) {
   return c < 32 || c == 127 || (c >= 0x200B && c <= 0x200F) || (c >= 0x202A && c <= 0x202E) || c == 0x2060 ||
          c == 0xFEFF || (c >= 0xFE00 && c <= 0xFE0F);
@@ -39,7 +39,8 @@ static bool text_is_silent(uint32_t c) {
 
 typedef struct { vs_font *font; vs_text_plan *plan; double spacing, x, y; uint32_t before; bool any; } text_pen;
 
-/* Adds the glyph of character c at the pen, and moves the pen. pen->x and pen->y are in font units. */
+/* Adds the glyph of character c at the pen's position, and advances the pen. pen->x and pen->y are in font units.
+ * Returns false and sets e on failure. */
 static bool text_letter(text_pen *pen, uint32_t c, vs_error *e) {
   uint32_t index = vs_font_index(pen->font, c == '\t' ? ' ' : c);
   if (!index && text_is_silent(c) && c != '\t') return true;
@@ -56,8 +57,8 @@ static bool text_letter(text_pen *pen, uint32_t c, vs_error *e) {
 
 static double text_share(const char *align) { return !strcmp(align, "center") ? 0.5 : !strcmp(align, "right") ? 1 : 0; }
 
-/* Returns the distance of the first base line below the text's point p, in font units, for the vertical alignment
- * `valign` and a number of lines. */
+/* Returns how far the first base line lies below the text's point p, in font units. valign: vertical alignment; lines:
+ * number of lines. */
 static double text_drop(const vs_font *f, const char *valign, double lines) {
   double below = (lines - 1) * vs_font_line(f); /* distance between the first and the last base line, in font units */
   if (!strcmp(valign, "top")) return vs_font_capital(f);
@@ -82,7 +83,7 @@ bool vs_text_lay(vs_store *s, const struct vs_letters *t, vs_text_plan *out, vs_
   for (utf8proc_ssize_t i = 0; ok && i <= bytes;) {
     utf8proc_int32_t c = '\n';
     if (i < bytes) i += utf8proc_iterate(composed + i, bytes - i, &c);
-    else i++; /* at the end of the text, the last line ends, too */
+    else i++; /* ends the last line at the end of the text */
     if (c != '\n' && c != 0x2028) {
       ok = text_letter(&pen, (uint32_t)c, e);
       continue;
@@ -149,7 +150,8 @@ static vs_font_point text_at(vs_font_point p, const vs_glyph_step *s, double t) 
 }
 
 /* Appends the contours of one glyph to the loops, in model units relative to the text's point. tolerance: largest
- * distance of a chord from its curve, in font units. */
+ * distance of a chord from its curve, in font units, unless the number of segments in a full turn is given by segments
+ * > 0. */
 static bool text_glyph_loops(const vs_text_glyph *at, double scale, double tolerance, int segments,
                              vs_flat_loops *all) {
   const vs_glyph *g = at->glyph;
@@ -214,8 +216,9 @@ static vs_vec3 text_lift(const vs_text_glyph *g, double scale, vs_vec3 p, const 
   return vs_affine_point(placed, vs_v3(p.x + g->x + at.x * scale, p.y + g->y + at.y * scale, p.z));
 }
 
-/* Finds the parameters between 0 and 1 at which a coordinate of a Bezier curve is greatest or least: the zeros of its
- * derivative. c: this coordinate of the 3 or 4 control points. Returns the number of parameters in t. */
+/* Finds the parameters, between 0 and 1, at which a coordinate of a Bezier curve is greatest or least: the zeros of its
+ * derivative. c: this coordinate of the curve's control points, 4 if `cubic` is true, else 3. Writes the parameters to
+ * t and returns their number. */
 static int text_turns(const double *c, bool cubic, double t[2]) {
   double a = cubic ? c[3] - 3 * c[2] + 3 * c[1] - c[0] : 0,
          b = cubic ? 2 * (c[2] - 2 * c[1] + c[0]) : c[2] - 2 * c[1] + c[0], d = c[1] - c[0];
