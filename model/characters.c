@@ -53,8 +53,8 @@ static size_t say(char out[VS_SPELLED_ROOM], const char *text) {
 
 static size_t replace(char out[VS_SPELLED_ROOM]) { return say(out, "\xEF\xBF\xBD"); }
 
-/* Returns the code point of the character at *at, or the replacement character if its bytes are not UTF-8, and moves
- * *at past the character. Sets *from and *count to the bytes of the result. *at must be less than end. */
+/* Returns the code point of the character at *at, and moves *at past it. Bytes that are not UTF-8 give the replacement
+ * character U+FFFD. *from, *count: bytes of the returned character. *at must be less than end. */
 static uint32_t next(const char **at, const char *end, const char **from, size_t *count) {
   uint32_t code = REPLACEMENT;
   VS_ASSERT(*at < end);

@@ -23,22 +23,22 @@ size_t vs_character_read(const char *text, size_t left, uint32_t *code);
 size_t vs_character_cut(const char *text, size_t most);
 /* Returns true if the code point is a control character (including tab and line end), or is not assigned in Unicode. */
 bool vs_character_is_control(uint32_t code);
-/* Returns true if the character is a line end or white space between words. */
+/* Returns true if the code point is white space between words or a line end. */
 bool vs_character_is_blank(uint32_t code);
 
-/* Writes the UTF-8 character at *at unchanged. */
+/* Writes the UTF-8 character at *at to out unchanged. */
 size_t vs_spell_plain(const char **at, const char *end, char out[VS_SPELLED_ROOM]);
-/* Writes the character at *at for a text of one line: a blank in place of a tab or a line end. */
+/* Writes the character at *at to out, for a text of one line: a blank replaces a tab or a line end. */
 size_t vs_spell_line(const char **at, const char *end, char out[VS_SPELLED_ROOM]);
-/* Writes the character at *at for a text of one word: _ in place of a blank or a control character. */
+/* Writes the character at *at to out, for a text of one word: _ replaces a blank or a control character. */
 size_t vs_spell_word(const char **at, const char *end, char out[VS_SPELLED_ROOM]);
-/* Writes the character at *at for XML text between tags: < > & " become entities. */
+/* Writes the character at *at to out, for XML text between tags: < > & " become entities. */
 size_t vs_spell_xml(const char **at, const char *end, char out[VS_SPELLED_ROOM]);
-/* Writes the character at *at for a quoted XML value: < > & " become entities, ' and line ends become numeric
+/* Writes the character at *at to out, for a quoted XML value: < > & " become entities, ' and line ends numeric
  * entities. */
 size_t vs_spell_xml_value(const char **at, const char *end, char out[VS_SPELLED_ROOM]);
-/* Writes the character at *at for a JSON string: control characters, and characters that end a line in JavaScript,
- * become \uXXXX. */
+/* Writes the character at *at to out, for a JSON string: control characters, and characters that end a line in
+ * JavaScript, become \uXXXX. */
 size_t vs_spell_json(const char **at, const char *end, char out[VS_SPELLED_ROOM]);
 
 #endif

@@ -14,8 +14,8 @@
 #define VS_CLASS_SOLID VS_SOLID
 #define VS_CLASS_INHERIT VS_INHERIT
 
-/* In vs_kind_get, each kind has a block in which here_ is the struct of the kind's payload, for the offsets of its
- * fields. A row of zeros ends each table of fields and is not counted. */
+/* In vs_kind_get, each kind has a block in which the name here_ is the struct of the kind's fields, to compute their
+ * offsets. Each table of fields ends with a row of zeros, which is not counted. */
 const vs_kind_info *vs_kind_get(vs_kind kind) {
   switch (kind) {
 #define VS_KIND(upper, lower, name, class_, level, role, traits)                                                     \
@@ -55,10 +55,10 @@ const unsigned char vs_field_reals[] = {
   [VS_FIELD_real] = 1, [VS_FIELD_point] = 3, [VS_FIELD_vector] = 3, [VS_FIELD_affine] = 12, [VS_FIELD_ticket] = 0
 };
 
-/* ---- hashing, comparing, retaining and releasing one field of each type ---- */
+/* ---- macros that hash, compare, retain or release one field, for each type of field ---- */
 
-/* Returns the hash h combined with the number d, by one multiplication. The caller mixes the bits of the hash once more
- * at the end. */
+/* Returns the hash h combined with the number d, by one multiplication. At the end, the caller mixes the bits of the
+ * hash once more. */
 static inline uint64_t hash_step(uint64_t h, double d) {
   uint64_t v;
   memcpy(&v, &d, sizeof v);
@@ -155,7 +155,8 @@ bool vs_kind_within(vs_kind kind, const void *data, double most) {
   return within;
 }
 
-/* The macros below release, or count the bytes of, the memory outside the payload to which a field refers. */
+/* The macros drop_TYPE release the memory outside the payload to which a field of this type refers, or count its
+ * bytes. */
 #define drop_real(s, at)
 #define drop_point(s, at)
 #define drop_vector(s, at)
@@ -233,7 +234,7 @@ bool vs_payload_equal(const vs_kind_info *info, const void *a, const void *b) {
                           !memcmp(f->data, g->data, (f->count + 1 + (size_t)f->corner_count) * sizeof *f->data));
         break;
       }
-      case VS_FIELD_text: { /* texts of different stores have different addresses, so the letters are compared */
+      case VS_FIELD_text: { /* compares the letters, because equal texts of different stores have different addresses */
         const char *s = *(const char *const *)x, *t = *(const char *const *)y;
         same = s == t || !strcmp(s, t);
         break;

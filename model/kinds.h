@@ -5,8 +5,9 @@
 
 #include "model/node.h"
 
-uint64_t vs_payload_settle(vs_kind kind, void *data); /* Prepares a new payload (the fields of a node): retains its
-                                                       * arrays, changes -0 to 0, and returns its hash. */
+uint64_t vs_payload_settle(vs_kind kind, void *data); /* Prepares the payload of a new node (the struct of its fields):
+                                                       * retains the arrays to which it refers, and changes -0 to 0.
+                                                       * Returns the payload's hash. */
 bool vs_payload_equal(const vs_kind_info *info, const void *a, const void *b);
 void vs_payload_drop(vs_kind kind, vs_store *s, const void *data); /* Releases the arrays to which the fields of a
                                                                     * payload refer. */

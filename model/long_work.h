@@ -1,12 +1,12 @@
 /* Declares the callbacks by which a long computation asks its caller whether to continue. A callback that returns false
- * stores the reason itself. */
+ * has stored the reason itself. */
 #ifndef VS_MODEL_LONG_WORK_H
 #define VS_MODEL_LONG_WORK_H
 
 #include <stdbool.h>
 
-/* Callback of a computation of unknown length. The computation stops when `ask` returns false. With ask NULL it never
- * stops early. */
+/* Callback of a computation of unknown length. The computation stops when `ask` returns false; if `ask` is NULL, it
+ * never stops early. */
 typedef struct { bool (*ask)(void *context); void *context; } vs_poller;
 
 /* Callback of a computation that reports its progress: `done` is from 0 to 1. The computation stops when `going`

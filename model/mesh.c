@@ -30,7 +30,8 @@ bool vs_mesh_reserve(vs_mesh *m, size_t vertices, size_t triangles) {
     m->triangles = grown;
     if (m->tags) {
       uint32_t *tags = realloc(m->tags, triangles * sizeof *tags);
-      if (!tags) return false; /* triangle_room is not changed yet, because it is the room of both triangles and tags */
+      if (!tags) return false; /* triangle_room stays unchanged: it is the room of both arrays, and the array of tags
+                                * has not grown */
       m->tags = tags;
     }
     m->triangle_room = triangles;
@@ -55,8 +56,8 @@ bool vs_mesh_copy(const vs_mesh *from, vs_mesh *to) {
   return true;
 }
 
-/* Returns a new number of elements: half as many again as `room`, but at most `most` (0: no limit) unless `room`
- * already exceeds it. */
+/* Returns a larger number of elements for an array: half as many again as `room`, but at most `most` (0: no limit),
+ * unless `room` already exceeds it. */
 static size_t mesh_next_room(size_t room, size_t most) {
   size_t next = room < 16 ? 16 : room + room / 2;
   return most && room < most && next > most ? most : next;
@@ -124,8 +125,8 @@ static int mesh_compare_keys(const void *a, const void *b) {
   return x < y ? -1 : x > y;
 }
 
-/* Returns true if every directed edge occurs as often as its reverse. The sorted lists of keys of the edges and of
- * their reverses are then equal. */
+/* Returns true if every directed edge occurs as often as its reverse. Sorts a list of the edges and a list of their
+ * reverses; the two lists must then be equal. */
 bool vs_mesh_closed(const vs_mesh *m, bool *ok) {
   size_t n = m->triangle_count * 3;
   if (ok) *ok = true;

@@ -12,7 +12,8 @@ bool vs_error_set(vs_error *e, vs_error_kind kind, const vs_origin *origin, cons
   va_start(args, format);
   int length = vsnprintf(e->message, sizeof e->message, format, args);
   va_end(args);
-  if (length >= (int)sizeof e->message) { /* the message is cut between two characters, not inside one */
+  if (length >= (int)sizeof e->message) { /* a message that is too long is cut between two characters, not inside a
+                                           * character */
     size_t end = sizeof e->message - 1, start = end;
     while (start > 0 && end - start < 4 && ((unsigned char)e->message[start - 1] & 0xC0) == 0x80) start--;
     if (start > 0 && (unsigned char)e->message[start - 1] >= 0xC0) {

@@ -5,8 +5,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* The place of a call in the user's text, linked to the call that led to it. The store owns these places; equal places
- * have one address. */
+/* The place of a call in the user's text, with a pointer to the call that led to it. The store owns these places; equal
+ * places have one address. */
 typedef struct vs_origin vs_origin;
 struct vs_origin {
   const char *file; /* file name, interned in the store */
@@ -14,7 +14,7 @@ struct vs_origin {
   const vs_origin *caller; /* call in the user's text that led to this call, or NULL */
 };
 
-/* The kind of an error. An error has a kind, one message, and its place in the user's text or NULL. */
+/* The kind of an error. */
 typedef enum {
   VS_ERROR_NONE,
   VS_ERROR_MODEL /* the user's model is wrong; exit status of vs: 1 */,
@@ -28,7 +28,7 @@ typedef struct {
   const vs_origin *origin;
   char message[512]; /* text of the message in UTF-8; a long message is cut between two characters */
 } vs_error;
-/* Sets the members of e (may be NULL). Returns false, so that callers may write `return vs_error_set(...)`. */
+/* Sets e, which may be NULL, to an error. Returns false, so that callers may write `return vs_error_set(...)`. */
 bool vs_error_set(vs_error *e, vs_error_kind kind, const vs_origin *origin, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 bool vs_error_memory(vs_error *e, const vs_origin *origin); /* Sets e to the error "out of memory"; returns false. */

@@ -11,7 +11,7 @@ typedef struct { uint32_t v[3]; int32_t times; } face; /* v: vertex numbers of a
 
 static face face_of(const uint32_t t[3]) {
   face f = { { t[0], t[1], t[2] }, 1 };
-  for (int i = 0; i < 3; i++) { /* three exchanges of neighbours suffice to sort three numbers */
+  for (int i = 0; i < 3; i++) { /* three comparisons of neighbours suffice to sort three numbers */
     int j = i % 2;
     if (f.v[j] <= f.v[j + 1]) continue;
     uint32_t swap = f.v[j];
@@ -26,7 +26,7 @@ static int by_corners(const void *a, const void *b) {
   const face *p = a, *q = b;
   for (int i = 0; i < 3; i++)
     if (p->v[i] != q->v[i]) return p->v[i] < q->v[i] ? -1 : 1;
-  return 0; /* the order of equal triangles has no effect, because their `times` are added */
+  return 0; /* equal triangles may be in any order, because only the sum of their `times` matters */
 }
 
 bool vs_mesh_net(vs_mesh *m, size_t first) {
@@ -40,7 +40,7 @@ bool vs_mesh_net(vs_mesh *m, size_t first) {
   }
   qsort(at, count, sizeof *at, by_corners);
   m->triangle_count = first;
-  for (size_t i = 0, end; i < count; i = end) { /* the remaining triangles are no more than before, so they fit into the
+  for (size_t i = 0, end; i < count; i = end) { /* there are at most as many triangles as before, so they fit into the
                                                  * mesh's array */
     const uint32_t *v = at[i].v;
     int32_t times = 0;

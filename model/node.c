@@ -25,8 +25,10 @@ vs_points *vs_points_new(vs_store *s, const vs_vec3 *at, size_t count) {
   p->refs = 1;
   p->count = (uint32_t)count;
   for (size_t i = 0; i < count; i++) p->at[i] = vs_v3(at[i].x + 0.0, at[i].y + 0.0, at[i].z + 0.0); /* adding 0.0
-                                                                                                     * changes -0 to
-                                                                                                     * 0 */
+                                                                                                     * changes -0 to 0,
+                                                                                                     * so that equal
+                                                                                                     * coordinates have
+                                                                                                     * equal bits */
   return p;
 }
 
@@ -54,8 +56,9 @@ vs_faces *vs_faces_turned(vs_store *s, const vs_faces *old) {
   if (!f) return NULL;
   uint32_t *corners = f->data + f->count + 1;
   for (uint32_t i = 0; i < f->count; i++)
-    for (uint32_t a = f->data[i] + 1, b = f->data[i + 1]; a + 1 < b; a++) { /* a face of more corners is divided into
-                                                                             * triangles from its first corner */
+    for (uint32_t a = f->data[i] + 1, b = f->data[i + 1]; a + 1 < b; a++) { /* divides a face with more than three
+                                                                             * corners into triangles that all have its
+                                                                             * first corner */
       uint32_t swap = corners[a];
       corners[a] = corners[--b];
       corners[b] = swap;
@@ -76,7 +79,8 @@ vs_faces *vs_faces_retain(vs_faces *f) {
   return f;
 }
 
-/* Releases a reference to a shared array. Nodes refer to it as const, but its reference count changes. */
+/* Releases a reference to a shared array, and frees the array after the last. Nodes refer to it as const, but its
+ * reference count changes. */
 void vs_points_release(vs_store *s, const vs_points *p) {
   vs_points *mine = (vs_points *)(uintptr_t)p;
   if (mine && !--mine->refs) vs_store_realloc(s, mine, vs_points_bytes(mine), 0);
@@ -114,9 +118,10 @@ static bool node_is_planar_area(const vs_node *n) {
 /* Properties that a node's children have in common. They are collected while the children are copied, so that even a
  * million children are visited only once. */
 typedef struct {
-  vs_class together; /* common class of the children, or VS_MIXED; children that draw nothing do not count */
+  vs_class together; /* class of all children (such as solid), or VS_MIXED if they differ; children that draw nothing
+                      * are ignored */
   bool nothing;      /* true if at least one child is empty or otherwise draws nothing */
-  uint8_t any, all;  /* any: flags of at least one child; all: flags common to all children */
+  uint8_t any, all;  /* any: flags (VS_NODE_...) that at least one child has; all: flags that all children have */
 } vs_node_family;
 
 static void node_join_family(vs_node_family *f, const vs_node *child) {
@@ -143,9 +148,9 @@ static void node_find_end(vs_node *n, const vs_node_family *f) {
   bool cut = n->kind == VS_HALF_SPACE || f->any & VS_NODE_CUT;
   bool carved =
       (n->class_ == VS_SOLID && (n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE)) || f->any & VS_NODE_CARVED;
-  bool meshed = carved || (n->class_ == VS_REGION_CLASS && !node_holds_planar(n)); /* true if the hull has a part whose
-                                                                                    * corners are known only from a
-                                                                                    * solid's mesh */
+  bool meshed = carved || (n->class_ == VS_REGION_CLASS && !node_holds_planar(n)); /* true if the corners of some part
+                                                                                    * of the hull can only be computed
+                                                                                    * from a solid's mesh */
   bool unresolved =
       vs_node_has(n, VS_IS_UNRESOLVED) || f->any & VS_NODE_UNRESOLVED || (n->kind == VS_HULL && meshed);
   bool first = n->child_count && n->children[0].node->flags & VS_NODE_ENDLESS,
@@ -172,8 +177,8 @@ static void node_classify(vs_node *n, const vs_kind_info *info, const vs_node_fa
                   : node_is_planar_area(first)          ? VS_SOLID
                                                         : VS_SURFACE;
       break;
-    case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: { /* a section that is a single point has no class, so it
-                                                              * does not count */
+    case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: { /* ignores a section that is a single point, because it has
+                                                              * no class */
       bool areas = false;
       uint32_t sections = n->kind == VS_GUIDED_LOFT ? (uint32_t)VS_AS(guided_loft, n)->section_count : n->child_count;
       for (uint32_t i = 0; i < sections && i < n->child_count; i++)
@@ -255,8 +260,8 @@ vs_node *vs_node_new(vs_store *s, vs_kind kind, const void *data, const vs_ref *
   }
   bool same = child_count == 1 &&
               (kind == VS_TRANSFORM || kind == VS_UNION || kind == VS_INTERSECTION || kind == VS_DIFFERENCE);
-  if (same) form = kept[0].node->form; /* a placed node, or a set of one child, has the `form` (hash without positions)
-                                        * of that child */
+  if (same) form = kept[0].node->form; /* a placed node, or a set of one child, has the same `form` (hash without
+                                        * positions) as its child */
   n->refs = 1;
   n->kind = (uint16_t)kind;
   n->class_ = VS_NOTHING;
@@ -283,7 +288,7 @@ vs_node *vs_node_retain(vs_node *n) {
 void vs_node_release(vs_node *n) {
   if (!n || --n->refs) return;
   vs_node *dead = n;
-  n->hash = 0; /* From here on, the member hash links the nodes to be freed. */
+  n->hash = 0; /* From here on, the member `hash` is the link in the list of nodes to be freed. */
   while (dead) {
     n = dead;
     dead = (vs_node *)(uintptr_t)n->hash;
@@ -319,17 +324,17 @@ static bool pairs_resize(vs_node_pairs *p, size_t room) {
   return true;
 }
 
-/* Adds a pair of nodes to the set of pairs. Sets *new to false if the set already had it. Only nodes with several
- * references can occur in two pairs. */
+/* Adds a pair of nodes to the set of pairs that were found equal. *new: false if the set already contained the pair.
+ * Only nodes with several references can be in two pairs. Returns false when memory is out. */
 static bool pairs_note(vs_node_pairs *set, vs_node_pair pair, bool *new) {
   if (set->count * 3 >= set->room * 2) {
     vs_node_pairs grown = { .store = set->store };
     if (!pairs_resize(&grown, set->room ? set->room * 2 : 64)) return false;
     memset(grown.at, 0, grown.room * sizeof *grown.at);
     for (size_t i = 0; i < set->room; i++)
-      if (set->at[i].a && !pairs_note(&grown, set->at[i], new)) return false; /* the larger table has room for this
-                                                                               * pair, so the call recurses no
-                                                                               * further */
+      if (set->at[i].a && !pairs_note(&grown, set->at[i], new)) return false; /* copies the pairs into the larger table,
+                                                                               * which has room for them, so the call
+                                                                               * recurses no further */
     pairs_resize(set, 0);
     *set = grown;
   }
@@ -343,7 +348,7 @@ static bool pairs_note(vs_node_pairs *set, vs_node_pair pair, bool *new) {
   return true;
 }
 
-/* Returns true if nodes a and b are equal, apart from the contents of their children. */
+/* Returns true if nodes a and b are equal, without comparing the contents of their children. */
 static bool node_alike(const vs_node *a, const vs_node *b) {
   return a->hash == b->hash && a->kind == b->kind && a->child_count == b->child_count && a->depth == b->depth &&
          vs_payload_equal(vs_kind_get((vs_kind)a->kind), vs_node_data(a), vs_node_data(b));

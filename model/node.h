@@ -17,15 +17,16 @@
 
 typedef struct vs_node vs_node;
 
-/* ---- shared arrays: immutable and reference-counted ---- */
+/* ---- arrays that several nodes share: immutable and reference-counted ---- */
 typedef struct { uint32_t refs, count; vs_vec3 at[]; } vs_points;
-/* data: count + 1 positions at which the faces' corners begin, then corner_count vertex indices; hash: hash of data */
+/* data: first count + 1 positions in the list of corners, where the faces begin and the last face ends; then this list,
+ * corner_count vertex indices; hash: hash of data */
 typedef struct { uint32_t refs, count, corner_count; uint64_t hash; uint32_t data[]; } vs_faces;
 static inline const uint32_t *vs_faces_starts(const vs_faces *f) { return f->data; }
 static inline const uint32_t *vs_faces_corners(const vs_faces *f) { return f->data + f->count + 1; }
 
-/* ---- tickets: a ticket contains the number of an object outside the model; a callback reports the release of the last
- * reference to a ticket ---- */
+/* ---- tickets: a ticket contains the number of an object outside the model, such as a Scheme procedure; when its last
+ * reference is released, a callback gets this number ---- */
 typedef struct { uint32_t refs, id; } vs_ticket;
 
 /* ---- C types of the payload's fields ---- */
@@ -53,10 +54,10 @@ typedef enum {
   VS_FIELD_material,
   VS_FIELD_ticket
 } vs_field_type;
-extern const unsigned char vs_field_reals[]; /* for each field type: number of doubles that the field itself contains,
-                                              * or 0 */
+extern const unsigned char vs_field_reals[]; /* vs_field_reals[t]: number of doubles that a field of type t contains
+                                              * directly; 0 for fields that refer to other memory */
 
-/* Each kind of prims.def gets the struct of its fields: for example struct vs_sphere { ... }. */
+/* Defines a struct of fields for each kind of prims.def, for example struct vs_sphere { ... }. */
 #define VS_KIND(upper, lower, name, class_, level, role, traits) struct vs_##lower {
 #define VS_FIELD(type, member, argument) vs_field_##type member;
 #define VS_KIND_END(upper, lower) unsigned char end_; };
@@ -76,7 +77,7 @@ typedef enum {
   VS_REGION_CLASS,
   VS_SURFACE,
   VS_SOLID,
-  VS_MIXED /* class of a union of objects of several classes (solid, surface, curve ...) */,
+  VS_MIXED /* class of a union whose members have different classes (solid, surface, curve ...) */,
   VS_INHERIT
 } vs_class;
 typedef enum {
@@ -99,23 +100,23 @@ typedef struct {
 } vs_kind_info;
 const vs_kind_info *vs_kind_get(vs_kind kind);
 
-/* Roles and traits of a kind, the columns ROLE and TRAITS of prims.def, for walks through the tree (vs_node_role,
- * vs_node_has). */
+/* The role of a kind, and its traits below: the columns ROLE and TRAITS of prims.def, for walks through the tree
+ * (vs_node_role, vs_node_has). */
 typedef enum { VS_ROLE_SHAPE, VS_ROLE_LEAF, VS_ROLE_MADE, VS_ROLE_PLACED, VS_ROLE_WRAPPER, VS_ROLE_SET } vs_role;
 enum {
-  VS_IS_ROUND = 1,        /* the triangles of the node approximate a curved surface */
-  VS_IS_SHORT = 2,        /* every format writes a node of this kind in a few words */
-  VS_IS_PLAIN = 4,        /* geometry/tessellate.c computes the triangles from the payload alone, so that any thread may
-                           * do it */
+  VS_IS_ROUND = 1,        /* trait of kinds whose triangles approximate a curved surface */
+  VS_IS_SHORT = 2,        /* trait of kinds that every format writes in a few words */
+  VS_IS_PLAIN = 4,        /* trait of kinds whose triangles geometry/tessellate.c computes from the fields alone, so
+                           * that any thread may do it */
   VS_IS_CONVEX = 8,
-  VS_IS_COSTLY = 16,      /* a mesh of the node takes about as long to compute as those of eight spheres */
-  VS_IS_DEAR = 32,        /* a mesh of the node takes about as long to compute as those of forty spheres */
-  VS_IS_SAMPLED = 64,     /* the bounds of the node are computed from many sample points; a rotated node uses the bounds
-                           * of its rotated box instead */
-  VS_IS_OVERLAPPING = 128, /* the node's mesh may intersect itself */
-  VS_IS_OF_FIRST = 256,   /* the node is empty if its first child is empty */
-  VS_IS_UNRESOLVED = 512  /* solids/resolve.c replaces the node before meshing, because the result depends on a solid's
-                           * mesh or the drawing's size */
+  VS_IS_COSTLY = 16,      /* trait of kinds whose mesh takes about as long to compute as those of eight spheres */
+  VS_IS_DEAR = 32,        /* trait of kinds whose mesh takes about as long to compute as those of forty spheres */
+  VS_IS_SAMPLED = 64,     /* trait of kinds whose bounds are computed from many sample points; for a rotated node, the
+                           * box is rotated instead */
+  VS_IS_OVERLAPPING = 128, /* trait of kinds whose mesh may intersect itself */
+  VS_IS_OF_FIRST = 256,   /* trait of kinds whose nodes are empty if their first child is empty */
+  VS_IS_UNRESOLVED = 512  /* trait of kinds that solids/resolve.c replaces before meshing, because they depend on a
+                           * solid's mesh or the drawing's size */
 };
 extern const unsigned char vs_kind_roles[];   /* vs_kind_roles[kind]: the vs_role of the kind */
 extern const unsigned short vs_kind_traits[]; /* vs_kind_traits[kind]: the VS_IS_... flags of the kind */
@@ -128,10 +129,10 @@ enum {
   VS_NODE_CUT = 4,     /* the node or a descendant is a half-space, which has no bounds */
   VS_NODE_SUGAR = 8,   /* the node or a descendant has a kind of level SUGAR in prims.def (such as ghost or
                         * highlight) */
-  VS_NODE_OPEN = 16,   /* the node or a descendant is a CUSTOM node that has no child yet */
-  VS_NODE_UNRESOLVED = 32, /* solids/resolve.c must replace this node or a descendant. It is an endless line, or needs a
-                            * solid's mesh: a section, a shadow, edges, a slice of a thin object, a hull of a carved
-                            * solid. */
+  VS_NODE_OPEN = 16,   /* the node or a descendant is a CUSTOM node (of define-primitive) that has no child yet */
+  VS_NODE_UNRESOLVED = 32, /* solids/resolve.c must replace this node or a descendant: an endless line, or a node that
+                            * needs a solid's mesh, such as a section, a shadow, edges, a slice of a thin object, or a
+                            * hull of a carved solid */
   VS_NODE_CARVED = 64  /* the node or a descendant is an intersection or difference of solids */
 };
 
@@ -142,17 +143,18 @@ struct vs_node {
                     * the node is created */
   uint8_t flags;   /* flags of the node: bits VS_NODE_... */
   uint32_t child_count;
-  uint32_t depth;  /* number of nodes on the longest path to a leaf; 1 for a leaf. The number stays at its maximum
-                    * instead of overflowing. */
-  uint32_t slot;   /* number of the node in the latest order (order.h); it changes after the node's creation, as only
-                    * refs does */
+  uint32_t depth;  /* number of nodes on the longest path to a leaf, including both ends; 1 for a leaf. At its greatest
+                    * value it no longer grows, so that it does not overflow. */
+  uint32_t slot;   /* number of the node in the order of a drawing that was computed last (order.h); like refs, it
+                    * changes after the node's creation */
   uint32_t form;   /* hash of the node's structure without numbers and placements: nodes of different form cannot be
                     * copies of each other */
   uint64_t hash;   /* hash of the node's kind, payload and children */
   vs_store *store;
-  const vs_ref children[]; /* references to the children, child_count of them; the node's payload follows in memory */
+  const vs_ref children[]; /* references to the child_count children; after them in memory comes the node's payload (the
+                            * struct of its fields) */
 };
-/* Returns the payload of n: a struct vs_<kind>. */
+/* Returns the payload of n, a struct vs_<kind> with its fields. */
 static inline const void *vs_node_data(const vs_node *n) { return n->children + n->child_count; }
 #define VS_ENDLESS_MESSAGE "the object is endless: intersect it with something finite, or subtract it from that"
 /* Returns the payload of n as a struct of its kind. VS_AS(sphere, n) is the payload as a struct vs_sphere. The caller
@@ -171,9 +173,9 @@ enum {
 };
 #define VS_AS(lower, n) ((const struct vs_##lower *)vs_node_data_of(n, (vs_kind)VS_KIND_OF_##lower))
 
-/* vs_node_next and vs_node_next_whole return child i, for callers that visit the children in sequence. They prefetch a
- * later child, because there may be a million children. vs_node_next_whole prefetches the child with its payload,
- * vs_node_next only the child's header. */
+/* vs_node_next and vs_node_next_whole return child number i, for loops over the children in order. They prefetch
+ * memory of a later child, because there may be a million: vs_node_next only its header, vs_node_next_whole also its
+ * fields. */
 enum { VS_NODES_AHEAD = 24 };
 static inline const vs_ref *vs_node_next_whole(const vs_node *n, uint32_t i) {
   if (n->child_count - i > VS_NODES_AHEAD) {
@@ -194,15 +196,16 @@ static inline bool vs_node_has(const vs_node *n, unsigned trait) { return (vs_ki
 static inline bool vs_node_is_set(const vs_node *n) { return vs_node_role(n) == VS_ROLE_SET; }
 
 static inline bool vs_node_is_empty(const vs_node *n) { return n->kind == VS_EMPTY; }
-/* Returns true if n occupies the same space as its single child. A GHOST is no wrapper: it occupies no space. */
+/* Returns true if n is a wrapper: it occupies the same space as its single child. A GHOST is none, because it occupies
+ * no space. */
 static inline bool vs_node_is_wrapper(const vs_node *n) {
   return n->child_count == 1 && vs_node_role(n) == VS_ROLE_WRAPPER;
 }
 
-/* ---- creating: all functions return a new reference that the caller releases, or NULL when memory is out ---- */
+/* ---- creating; these functions return a new reference, which the caller releases, or NULL when memory is out ---- */
 vs_points *vs_points_new(vs_store *s, const vs_vec3 *at, size_t count);
 vs_faces *vs_faces_new(vs_store *s, const uint32_t *starts, size_t count, const uint32_t *corners, size_t corner_count);
-/* Returns the faces with the order of their corners reversed; each face keeps its first corner. */
+/* Returns the faces with the order of their corners reversed. Each face still begins with the same corner. */
 vs_faces *vs_faces_turned(vs_store *s, const vs_faces *f);
 vs_ticket *vs_ticket_new(vs_store *s, uint32_t id);
 void vs_ticket_release(vs_store *s, const vs_ticket *t);
@@ -212,18 +215,19 @@ vs_points *vs_points_retain(vs_points *p);
 vs_faces *vs_faces_retain(vs_faces *f);
 void vs_points_release(vs_store *s, const vs_points *p);
 void vs_faces_release(vs_store *s, const vs_faces *f);
-/* Creates a node. Copies data (a struct vs_<kind>) and children, and retains the arrays and nodes to which they refer.
- * Does not check its arguments: bind/ checks them. */
+/* Creates a node of the kind. data: a struct vs_<kind> with its fields, which is copied; children: references, which
+ * are copied. Retains the arrays and nodes to which they refer. Does not check its arguments, because bind/ checks
+ * them. */
 vs_node *vs_node_new(vs_store *s, vs_kind kind, const void *data, const vs_ref *children, size_t child_count);
 /* Adds a reference to n and returns n. */
 vs_node *vs_node_retain(vs_node *n);
-void vs_node_release(vs_node *n); /* Releases a reference to a node, and frees the node after the last. It does not
-                                   * recurse, so a deep tree needs no additional stack. NULL is permitted. */
-/* Returns true if a and b are equal by value. Compares without recursion, and each pair of shared subtrees once. If
- * memory is out, returns false and sets *ok (may be NULL) to false. */
+void vs_node_release(vs_node *n); /* Releases a reference to a node, which may be NULL, and frees the node after the
+                                   * last. It does not recurse, so a deep tree needs no additional stack. */
+/* Returns true if a and b are equal by value. Compares without recursion, and each pair of shared subtrees only once.
+ * When memory is out, returns false and sets *ok to false; ok may be NULL. */
 bool vs_node_equal(const vs_node *a, const vs_node *b, bool *ok);
-size_t vs_node_bytes(const vs_node *n); /* Returns the number of bytes of this node and its arrays, without its
-                                         * children. */
+size_t vs_node_bytes(const vs_node *n); /* Returns the number of bytes of this node and of the arrays to which it
+                                         * refers, without its children. */
 size_t vs_points_bytes(const vs_points *p);
 size_t vs_faces_bytes(const vs_faces *f);
 

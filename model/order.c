@@ -43,8 +43,8 @@ static void order_pass_by(vs_order *o, const vs_node *leaf) {
   o->lone += !empty;
 }
 
-/* Finds the next child of the level `top` that needs a number, and counts the lone leaves (leaves with one reference)
- * before it. Returns false if there is none. */
+/* Finds the next child, of the node at the level `top` of the stack, that needs a number. Counts the lone leaves
+ * (leaves with one reference) before it. Returns false if there is no such child. */
 static bool order_next(vs_order *o, order_level *top, vs_ref *child) {
   const vs_node *n = top->ref.node;
   while (top->next < n->child_count) {

@@ -13,7 +13,8 @@
 
 typedef struct {
   uint32_t uses; /* number of references to the node in the drawing */
-  bool inner;    /* true if a child has a number; false if all children are leaves with a single reference */
+  bool inner;    /* true if a child of the node has a number; false if all its children are leaves with a single
+                  * reference */
 } vs_order_note;
 
 typedef struct {
@@ -21,14 +22,15 @@ typedef struct {
   vs_ref *at;      /* the nodes in order, each with the origin of its first reference; not retained */
   vs_order_note *note;
   size_t count, room;
-  size_t lone;     /* number of leaves with a single reference, which have no number, except nodes of kind VS_EMPTY */
+  size_t lone;     /* number of leaves with a single reference, which have no number; nodes of kind VS_EMPTY are not
+                    * counted */
   bool empty;      /* true if the drawing contains a node of kind VS_EMPTY */
 } vs_order; /* initial value of an empty order: { .store = s } */
 
-enum { VS_ORDER_WORK = 1 << 8 }; /* Work of visiting one node, in the unit of vs_store_going (about a nanosecond). A
-                                  * pass needs much more for each node. */
-/* Computes the order of the nodes below the references refs. On an interrupt, or when memory is out, returns false and
- * makes *o empty. */
+enum { VS_ORDER_WORK = 1 << 8 }; /* Work of visiting one node, in the unit of vs_store_going (about a nanosecond).
+                                  * Passes do far more work for each node. */
+/* Computes the order of the nodes to which refs leads, directly or indirectly. On an interrupt, or when memory is out,
+ * returns false, and *o is empty. */
 bool vs_order_make(vs_order *o, const vs_ref *refs, size_t count, vs_error *e);
 void vs_order_free(vs_order *o);
 static inline bool vs_order_is_lone(const vs_node *n) {

@@ -14,24 +14,30 @@ typedef enum {
   VS_VIEW_LEFT,
   VS_VIEW_RIGHT,
   VS_VIEW_ISO,
-  VS_VIEW_ALONG,   /* parallel projection along the direction from eye to target */
+  VS_VIEW_ALONG,   /* parallel projection in the direction from `eye` to `target` */
   VS_VIEW_PANORAMA /* a panorama of all directions from `eye`; `target` is in the centre of the picture */
 } vs_view;
 
+/* Whether, and where, a view cuts the model. */
+typedef enum {
+  VS_CUT_OWN, /* for a plan: a cut at a height that the format chooses */
+  VS_CUT_NONE,
+  VS_CUT_PLANE
+} vs_cut;
 /* A named view of a picture or a drawing. Lengths are in model units. */
-typedef enum { VS_CUT_OWN /* plan: at a height that the format chooses */, VS_CUT_NONE, VS_CUT_PLANE } vs_cut;
 typedef struct {
   const char *name;          /* name of the view, interned */
   vs_view view;
-  vs_vec3 eye, target;       /* position of the eye, and point at which it looks, for VS_VIEW_CAMERA, VS_VIEW_ALONG and
-                              * VS_VIEW_PANORAMA */
-  double lens;               /* focal length in mm, converted to 35 mm film */
+  vs_vec3 eye, target;       /* for VS_VIEW_CAMERA, VS_VIEW_ALONG and VS_VIEW_PANORAMA: position of the eye, and the
+                              * point that is in the centre of the picture */
+  double lens;               /* focal length in mm of an equal lens for 35 mm film */
   bool upright;              /* for VS_VIEW_CAMERA: true if vertical lines are vertical in the picture */
-  double aperture;           /* for VS_VIEW_CAMERA: f-number of the lens; 0: everything is in focus */
-  vs_vec3 focus;             /* for VS_VIEW_CAMERA: a point at the distance that is in focus; used if aperture is not
-                              * 0 */
+  double aperture;           /* for VS_VIEW_CAMERA: f-number of the lens, which blurs objects out of focus; 0:
+                              * everything is in focus */
+  vs_vec3 focus;             /* for VS_VIEW_CAMERA with an aperture: a point at the distance that is in focus */
   vs_cut cut;
-  vs_vec3 cut_point, cut_normal; /* for VS_CUT_PLANE: a point of the plane, and the unit normal towards the kept side */
+  vs_vec3 cut_point, cut_normal; /* for VS_CUT_PLANE: a point of the cutting plane, and its unit normal towards the side
+                                  * that is kept */
   double scale;              /* scale of a drawing: 100 means 1:100; 0: the largest round scale with which the drawing
                               * fits the sheet */
   const char *sheet;         /* name of the sheet from sheets.def, such as "A3"; "none": a sheet as large as the
@@ -49,37 +55,38 @@ typedef enum {
 typedef struct {
   vs_note_kind kind;
   vs_vec3 p, q;
-  double offset;             /* distance of the dimension line from the points p and q, in model units; NAN: the format
-                              * chooses it */
-  const char *text;          /* text of the note, interned; NULL: the dimension's length or the level's height is the
-                              * text */
-  const char *view;          /* name of the only view that shows the note, interned; NULL: all suitable views show it */
+  double offset;             /* distance of the dimension line from the points p and q, in model units; NAN if the
+                              * format is to choose it */
+  const char *text;          /* text of the note, interned; NULL: the text is the dimension's length or the level's
+                              * height */
+  const char *view;          /* name of the view that alone shows the note, interned; NULL: all suitable views show
+                              * it */
 } vs_scene_note;
 
-/* A table on the sheet of drawings: rows of texts, of which the first is the head. */
+/* A table beside the views on a sheet of drawings: rows of texts; the first row is the head. */
 typedef struct {
-  const char *title;         /* text above the table, interned; NULL: none */
-  const char **cells;        /* rows * columns texts, row by row, interned */
+  const char *title;         /* text above the table, interned; NULL if there is none */
+  const char **cells;        /* texts of the cells: rows * columns, row by row, interned */
   size_t rows, columns;
 } vs_scene_table;
 
 /* A lamp: a point that emits light. */
 typedef struct {
-  vs_vec3 at, to;            /* `at`: position of the lamp. Its central direction goes from `at` to `to`, downwards for
-                              * a hanging lamp. */
+  vs_vec3 at, to;            /* at: position of the lamp; to: a point in its central direction, which goes downwards for
+                              * a hanging lamp */
   double turn;               /* rotation in degrees about the lamp's direction, anticlockwise as seen from above a
                               * hanging lamp */
-  const vs_picture *ies;     /* file with the lamp's luminous intensity in each direction; NULL: the intensity is equal
-                              * in all directions */
+  const vs_picture *ies;     /* file (IES) with the lamp's luminous intensity in each direction; NULL: the intensity is
+                              * equal in all directions */
   double lumens;             /* luminous flux in lumens, for a lamp without a file */
-  double dim;                /* fraction of the light in the lamp's file that the lamp emits */
-  vs_vec3 color;             /* colour of the light: linear RGB, of luminance 1 */
+  double dim;                /* fraction of the luminous flux in the lamp's file that the lamp emits */
+  vs_vec3 color;             /* colour of the light: linear RGB with luminance 1 */
 } vs_scene_lamp;
 
-/* The kinds of sky. All but the plain sky have luminances in cd/m2 (geometry/sky_light.h). */
+/* The kinds of sky. All except the plain sky have luminances in cd/m2 (geometry/sky_light.h). */
 typedef enum { VS_SKY_PLAIN, VS_SKY_CLEAR, VS_SKY_OVERCAST, VS_SKY_NIGHT } vs_sky_kind;
 
-/* The look of pictures: materials, sky and sun. VS_STYLE_OWN: those that the program sets. */
+/* The look of pictures: which materials, sky and sun they show. VS_STYLE_OWN: those that the program has set. */
 typedef enum {
   VS_STYLE_OWN,
 #define STYLE(upper, name) VS_STYLE_##upper,
@@ -93,28 +100,28 @@ typedef struct {
   const char *layer;         /* name of the layer, interned */
   bool colored;
   double color[3];           /* colour of the lines in sRGB, 0 to 1; used if `colored` is true */
-  double line;               /* width of the lines in mm; 0: the kind of each line determines the width */
+  double line;               /* width of the lines in mm; 0: the width depends on the kind of each line */
 } vs_scene_pen;
 
 typedef struct {
-  vs_store *store;           /* the store of the nodes, retained */
-  vs_ref *drawn;             /* drawn references in drawing order; their nodes are retained */
+  vs_store *store;           /* the store of the nodes, to which the scene holds a reference */
+  vs_ref *drawn;             /* drawn references in drawing order; the scene holds a reference to each of their nodes */
   size_t drawn_count, drawn_room;
   const char *title;         /* name of the model file without its folder, or "model"; interned */
   bool looked;               /* true if the program set the camera by the procedure camera, view-from or zoom-extents */
   vs_view view;
-  vs_vec3 eye, target;       /* position of the eye, and point at which it looks, for VS_VIEW_CAMERA and
-                              * VS_VIEW_PANORAMA */
-  double lens;               /* focal length of the camera in mm, converted to 35 mm film; 35 by default */
+  vs_vec3 eye, target;       /* for VS_VIEW_CAMERA and VS_VIEW_PANORAMA: position of the eye, and the point that is in
+                              * the centre of the picture */
+  double lens;               /* focal length in mm of an equal lens for 35 mm film; 35 by default */
   bool upright;              /* for VS_VIEW_CAMERA: true if vertical lines are vertical in the picture */
-  double aperture;           /* for VS_VIEW_CAMERA: f-number of the lens; 0: everything is in focus */
-  vs_vec3 focus;             /* for VS_VIEW_CAMERA: a point at the distance that is in focus; used if aperture is not
-                              * 0 */
+  double aperture;           /* for VS_VIEW_CAMERA: f-number of the lens, which blurs objects out of focus; 0:
+                              * everything is in focus */
+  vs_vec3 focus;             /* for VS_VIEW_CAMERA with an aperture: a point at the distance that is in focus */
   vs_scene_view *views;      /* named views in the order of their definitions */
   size_t view_count, view_room;
   vs_scene_note *notes;
   size_t note_count, note_room;
-  vs_scene_table *tables;    /* tables of the sheet, from its top */
+  vs_scene_table *tables;    /* tables on the sheet of drawings, from top to bottom */
   size_t table_count, table_room;
   vs_scene_pen *pens;        /* pens of layers, at most one for each layer */
   size_t pen_count, pen_room;
@@ -129,27 +136,29 @@ typedef struct {
   vs_scene_style style;
   bool sky_given;            /* true if the program called the procedure sky */
   vs_sky_kind sky_kind;
-  double turbidity;          /* turbidity of the sky (geometry/sky_light.h) if sky_kind is VS_SKY_CLEAR */
-  const vs_picture *sky_image; /* picture of the entire sky, twice as wide as high; NULL: none */
+  double turbidity;          /* haze of the air if sky_kind is VS_SKY_CLEAR, as turbidity (geometry/sky_light.h) */
+  const vs_picture *sky_image; /* picture of the entire sky, twice as wide as high; NULL if there is none */
   const vs_picture *sky_sunless; /* the sky picture without its sun; NULL if the sky picture shows no sun */
-  vs_vec3 picture_sun, picture_sun_light; /* unit vector towards the sun of the sky picture, and the sun's light on a
-                                           * surface perpendicular to it, as picture values times solid angle */
-  double fog_visibility;     /* distance in model units at which a dark object has 5 percent of its contrast in fog; 0:
-                              * no fog */
-  double fog_height;         /* height above the ground, in model units, from which the fog becomes thinner; INFINITY:
+  vs_vec3 picture_sun, picture_sun_light; /* picture_sun: unit vector towards the sun of the sky picture;
+                                           * picture_sun_light: the sun's light on a surface perpendicular to it, as
+                                           * picture values times solid angle */
+  double fog_visibility;     /* distance, in model units, at which fog leaves a dark object 5 percent of its contrast;
+                              * 0: no fog */
+  double fog_height;         /* height above the ground, in model units, above which the fog becomes thinner; INFINITY:
                               * it is equally dense everywhere */
   const vs_material *fog_color; /* colour of the fog; NULL: the colour of the sky at the horizon */
   bool has_ground;
   double ground_z;
-  const vs_material *ground_material; /* material of the ground; NULL: the program set none */
+  const vs_material *ground_material; /* material of the ground; NULL if the program has set none */
   const char *units;         /* the model's unit: "m", "mm", "cm", "in" or "ft" */
-  double tolerance;          /* greatest deviation of facets from curves, in model units; 0: geometry/tessellate.h
+  double tolerance;          /* greatest distance of facets from curves, in model units; 0: geometry/tessellate.h
                               * computes it from the size of the object */
-  int segments;              /* number of facets of a full turn, set by --segments. 0: the tolerance determines the
-                              * number. Below 0: the tolerance determines it, and -segments is the minimum */
+  int segments;              /* number of facets of a full turn, set by --segments; 0: the tolerance determines the
+                              * number; below 0: the tolerance determines it, and -segments is its minimum */
 } vs_scene;
 
-void vs_scene_init(vs_scene *scene, vs_store *store); /* Sets the defaults of an empty drawing; retains the store. */
+void vs_scene_init(vs_scene *scene, vs_store *store); /* Sets a scene to an empty drawing with default settings. Retains
+                                                       * the store. */
 bool vs_scene_draw(vs_scene *scene, vs_ref ref);      /* Adds ref to the drawn references, and retains its node. Returns
                                                        * false when memory is out. */
 double vs_scene_metres(const vs_scene *scene);        /* Returns the length of a model unit in metres. */
@@ -163,20 +172,20 @@ bool vs_scene_add_note(vs_scene *scene, const vs_scene_note *note); /* Adds a no
 bool vs_scene_add_table(vs_scene *scene, const vs_scene_table *table);
 /* Adds a pen, or replaces the pen of the same layer. Returns false when memory is out. */
 bool vs_scene_add_pen(vs_scene *scene, const vs_scene_pen *pen);
-/* Returns the pen of the layer, or NULL if it has none. */
+/* Returns the pen of the layer, or NULL if the layer has no pen. */
 const vs_scene_pen *vs_scene_find_pen(const vs_scene *scene, const char *layer);
 /* Returns the view with the name, or NULL if there is none. */
 const vs_scene_view *vs_scene_find_view(const vs_scene *scene, const char *name);
-/* Returns the view that a picture shows by default: the first perspective, panorama or axonometry, or else the first
- * view. Returns NULL if the program set the camera or defined no view. */
+/* Returns the view that a picture shows by default: the first perspective, panorama or axonometry; if there is none,
+ * the first view. Returns NULL if the program has set the camera or defined no view. */
 const vs_scene_view *vs_scene_own_view(const vs_scene *scene);
 /* Returns the name of a look of pictures, or NULL for VS_STYLE_OWN. */
 const char *vs_scene_style_name(vs_scene_style style);
 /* Returns the look of pictures with this name; VS_STYLE_OWN if there is none. */
 vs_scene_style vs_scene_style_find(const char *name);
-/* Sets the look of the scene. The look also sets the sky: a plain sky, an overcast sky or a night sky. */
+/* Sets the look of the scene, and the sky that belongs to this look: plain, overcast or night. */
 void vs_scene_set_style(vs_scene *scene, vs_scene_style style);
-/* Sets the scene's camera to that of the view. The caller applies the view's cut. */
+/* Sets the scene's camera to that of the view. The cut of the view is left to the caller. */
 void vs_scene_look(vs_scene *scene, const vs_scene_view *view);
 
 #endif

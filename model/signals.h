@@ -6,9 +6,9 @@
 #include <pthread.h>
 #include <signal.h>
 
-/* Blocks, for this thread and the threads that it starts, the signals that come from other processes. *was receives the
- * previous mask, for vs_signals_release. Signals for faults of the program itself remain unblocked, so that a sanitizer
- * or debugger reports the fault. */
+/* Blocks the signals that come from other processes, for this thread and for threads that it starts later. *was:
+ * receives the previous mask, for vs_signals_release. Signals for faults of the program itself are not blocked, so that
+ * a sanitizer or debugger reports the fault. */
 static inline void vs_signals_hold(sigset_t *was) {
   static const int faults[] = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGPROF };
   sigset_t outside;
@@ -19,7 +19,7 @@ static inline void vs_signals_hold(sigset_t *was) {
 
 static inline void vs_signals_release(const sigset_t *was) { pthread_sigmask(SIG_SETMASK, was, NULL); }
 
-/* Starts a thread as pthread_create does. The new thread receives no signals from other processes. */
+/* Starts a thread as pthread_create does, with the signals from other processes blocked. */
 static inline int vs_thread_start(pthread_t *thread, const pthread_attr_t *how, void *(*run)(void *), void *context) {
   sigset_t was;
   vs_signals_hold(&was);

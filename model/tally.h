@@ -11,7 +11,7 @@
 typedef enum {
 #define VS_PHASE(upper, lower, doc) VS_WORK_##upper,
 #include "model/tally.def"
-  VS_WORK_NONE, /* phase in which no work is done, or work for which nobody waits */
+  VS_WORK_NONE, /* no work is done, or work for which nobody waits */
   VS_WORK_COUNT
 } vs_work_phase;
 
@@ -23,37 +23,37 @@ typedef enum {
 
 typedef struct {
   double seconds;
-  double growth; /* sum over all times the phase was active: bytes in use at its end minus bytes in use at its
-                  * beginning */
+  double growth; /* change in the number of bytes in use from beginning to end of the phase, summed over all times that
+                  * it was active */
   size_t peak;   /* greatest number of bytes that all phases together used while this phase was active */
 } vs_phase_use;
 
 typedef struct vs_tally {
-  const size_t *held;             /* address of the number of bytes that the program currently uses */
+  const size_t *held;             /* address of the number of bytes that the program uses now */
   vs_work_phase now;
   double since;
   size_t peak;                    /* greatest number of bytes that were in use during the finished phases */
   size_t from, high;              /* from: number of bytes in use when the current phase began; high: greatest number
-                                   * since then, updated by each allocator */
+                                   * since then, which each allocator updates */
   vs_phase_use of[VS_WORK_COUNT];
   uint64_t written;               /* number of bytes written to output files */
-  uint64_t clusters, combined, copied, remembered; /* clusters: number of groups of touching solids; combined, copied,
-                                                    * remembered: how many of them were evaluated, copied from equal
-                                                    * ones, or found in the cache */
+  uint64_t clusters, combined, copied, remembered; /* clusters: number of groups of touching solids. Of these, combined:
+                                                    * number that were evaluated; copied: number copied from an equal
+                                                    * one; remembered: number found in the cache. */
   uint64_t triangles;             /* number of triangles in outputs, as their formats write them */
   double steps[VS_STEP_COUNT];    /* steps[s]: seconds that step s of meshing took */
-  /* Counts of pieces of output text in the world cache: how many were searched, how many were found, and the bytes of
-   * the found ones. */
+  /* Pieces of output text that were searched in the world cache. texts: number searched; texts_found: number found;
+   * bytes_found: bytes of those that were found. */
   uint64_t texts, texts_found, bytes_found;
 } vs_tally;
 
-double vs_clock(void); /* returns the time in seconds of a clock that never goes back */
-/* Begins phase p of the account t and returns the previous phase, to which the caller later returns. If t is NULL,
- * nothing is counted. */
+double vs_clock(void); /* returns the seconds of a clock that is never set back */
+/* Begins phase p of the account t. Returns the phase that was active before, which the caller enters again later. If t
+ * is NULL, nothing is counted. */
 vs_work_phase vs_tally_enter(vs_tally *t, vs_work_phase p);
-void vs_tally_also(vs_tally *t, size_t bytes); /* Counts `bytes` bytes that the current phase used temporarily and that
-                                                * t->held does not contain. */
+void vs_tally_also(vs_tally *t, size_t bytes); /* Adds `bytes` bytes to the memory of the current phase: memory that it
+                                                * used temporarily and that t->held does not contain. */
 size_t vs_tally_peak(const vs_tally *t);       /* Returns the greatest number of bytes that were in use in any phase,
-                                                * without the bytes counted by vs_tally_also. */
+                                                * without those added by vs_tally_also. */
 
 #endif

@@ -7,8 +7,8 @@ static const double half_pi = 1.57079632679489661923;
 
 void vs_sincos(double angle, double *sine, double *cosine) {
   double quarters = nearbyint(angle / half_pi);
-  /* Angles such as 3*pi/4 + 3*pi/4 differ from the nearest multiple of pi/2 by one or two units in the last place. They
-   * count as that multiple. */
+  /* Multiples of pi/2 that are sums, such as 3*pi/4 + 3*pi/4, may be off by one or two units in the last place. They
+   * still count as exact multiples. */
   if (fabs(quarters) < 1e9 && fabs(angle - quarters * half_pi) <= 4.5e-16 * fabs(angle)) {
     static const signed char sines[4] = { 0, 1, 0, -1 };
     int q = (int)fmod(quarters, 4);
@@ -28,14 +28,14 @@ void vs_turn_sincos(int index, int count, double *sine, double *cosine) {
   long long eighths, rest, n = count, i = index % n;
   if (i < 0) i += n;
   eighths = 8 * i / n;
-  rest = 8 * i - eighths * n; /* rest of the angle after whole eighths of a turn, in units of 1/(8 count) of a turn: 0
-                               * <= rest < n */
+  rest = 8 * i - eighths * n; /* rest: angle beyond whole eighths of a turn, in units of 1/(8 count) of a turn; 0 <=
+                               * rest < n */
   bool odd = eighths & 1;
-  double along = half_pi / 2 * ((double)(odd ? n - rest : rest) / (double)n); /* angle between the direction and the
-                                                                               * nearest axis, 0 to pi/4 */
+  double along = half_pi / 2 * ((double)(odd ? n - rest : rest) / (double)n); /* along: angle between the direction and
+                                                                               * the nearest axis, 0 to pi/4 */
   double s = sin(along), c = cos(along), swap;
   if ((odd ? n - rest : rest) == n) s = c = 0.70710678118654752440;
-  switch (((eighths + 1) / 2) & 3) { /* the number of the axis that is nearest to the angle */
+  switch (((eighths + 1) / 2) & 3) { /* number of the axis nearest to the direction */
     case 0: if (odd) s = -s; break;
     case 1: swap = odd ? s : -s; s = c; c = swap; break;
     case 2: s = odd ? s : -s; c = -c; break;
@@ -82,8 +82,8 @@ bool vs_affine_invert(const vs_affine *a, vs_affine *out) {
   vs_affine r;
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 3; j++) {
-      int p = (j + 1) % 3, q = (j + 2) % 3, s = (i + 1) % 3, t = (i + 2) % 3; /* Because the indices are cyclic, the
-                                                                               * minors already have their sign. */
+      int p = (j + 1) % 3, q = (j + 2) % 3, s = (i + 1) % 3, t = (i + 2) % 3; /* The minors have the right sign, because
+                                                                               * the indices are cyclic. */
       r.m[i][j] = (m[p][s] * m[q][t] - m[p][t] * m[q][s]) / d;
     }
   for (int i = 0; i < 3; i++) r.m[i][3] = -(r.m[i][0] * m[0][3] + r.m[i][1] * m[1][3] + r.m[i][2] * m[2][3]);
@@ -99,7 +99,7 @@ bool vs_affine_invert(const vs_affine *a, vs_affine *out) {
 bool vs_affine_plane(const vs_affine *a, vs_vec3 *point, vs_vec3 *normal) {
   vs_affine back;
   if (!vs_affine_invert(a, &back)) return false;
-  vs_vec3 n = *normal; /* normals are mapped by the transposed inverse */
+  vs_vec3 n = *normal; /* a normal is mapped by the transpose of the inverse */
   *normal = vs_v3(back.m[0][0] * n.x + back.m[1][0] * n.y + back.m[2][0] * n.z,
                   back.m[0][1] * n.x + back.m[1][1] * n.y + back.m[2][1] * n.z,
                   back.m[0][2] * n.x + back.m[1][2] * n.y + back.m[2][2] * n.z);
@@ -187,7 +187,8 @@ vs_bounds vs_bounds_transform(const vs_bounds *b, const vs_affine *a) {
   for (int i = 0; i < 3; i++) {
     low[i] = high[i] = a->m[i][3];
     for (int j = 0; j < 3; j++) {
-      if (a->m[i][j] == 0) continue; /* a zero element contributes nothing, even if the side of the box is infinite */
+      if (a->m[i][j] == 0) continue; /* skips a zero element, because 0 times an infinite side of the box would be
+                                      * NaN */
       double p = a->m[i][j] * lo[j], q = a->m[i][j] * hi[j];
       low[i] += fmin(p, q);
       high[i] += fmax(p, q);
@@ -225,7 +226,7 @@ void vs_rotation_quaternion(const vs_vec3 c[3], double out[4]) {
   int most = 0;
   for (int i = 1; i < 4; i++)
     if (q[i] > q[most]) most = i;
-  double a[4]; /* unnormalised quaternion w x y z */
+  double a[4]; /* quaternion w x y z before it is divided by its length */
   switch (most) {
   case 0: a[0] = q[0]; a[1] = m[2][1] - m[1][2]; a[2] = m[0][2] - m[2][0]; a[3] = m[1][0] - m[0][1]; break;
   case 1: a[0] = m[2][1] - m[1][2]; a[1] = q[1]; a[2] = m[0][1] + m[1][0]; a[3] = m[0][2] + m[2][0]; break;

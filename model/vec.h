@@ -13,7 +13,7 @@
 
 typedef struct { double x, y, z; } vs_vec3;
 typedef struct { double m[3][4]; } vs_affine;
-typedef struct { vs_vec3 min, max; } vs_bounds; /* a box; empty if min.x > max.x */
+typedef struct { vs_vec3 min, max; } vs_bounds; /* a box; it is empty if min.x > max.x */
 
 static inline vs_vec3 vs_v3(double x, double y, double z) { return (vs_vec3){ x, y, z }; }
 static inline vs_vec3 vs_v3_add(vs_vec3 a, vs_vec3 b) { return vs_v3(a.x + b.x, a.y + b.y, a.z + b.z); }
@@ -46,7 +46,7 @@ static inline vs_vec3 vs_affine_column(const vs_affine *a, int c) {
   VS_ASSERT(c >= 0 && c < 4);
   return vs_v3(a->m[0][c], a->m[1][c], a->m[2][c]);
 }
-/* Functions defined in vec.c follow. */
+/* The functions below are defined in vec.c. */
 vs_affine vs_affine_columns(vs_vec3 x, vs_vec3 y, vs_vec3 z, vs_vec3 at); /* Returns the map that maps the three unit
                                                                            * vectors to x, y and z, and the origin to
                                                                            * `at`. */
@@ -72,26 +72,26 @@ vs_affine vs_affine_translation(vs_vec3 v);
 vs_affine vs_affine_rotation(vs_vec3 point, vs_vec3 direction, double angle);
 vs_affine vs_affine_scaling(vs_vec3 center, vs_vec3 factors);
 vs_affine vs_affine_mirror(vs_vec3 point, vs_vec3 normal);
-/* Returns true if the columns of the linear part of a are perpendicular, to 1e-9. The map is then a scaling along x, y
- * and z, followed by a rotation (perhaps mirrored) and a translation. */
+/* Returns true if the columns of a's linear part are perpendicular to each other, within 1e-9. The map then consists of
+ * a scaling along x, y and z, a rotation (perhaps with a mirroring) and a translation. */
 bool vs_affine_is_placement(const vs_affine *a);
-/* Splits a map for which vs_affine_is_placement is true into scale, applied first, rotation (a unit quaternion w x y z)
- * and translation. If the map mirrors, scale->x is negative. */
+/* Splits a map for which vs_affine_is_placement is true into a scaling, a rotation (unit quaternion w x y z) and a
+ * translation, which are applied in this order. If the map mirrors, scale->x is negative. */
 void vs_affine_split(const vs_affine *a, vs_vec3 *translation, double quaternion[4], vs_vec3 *scale);
-/* Sets the unit quaternion w x y z of the rotation with these columns. It computes the largest component first, and is
- * therefore accurate at half turns. */
+/* Sets the unit quaternion w x y z of the rotation with the given columns. Computes the largest component first, so
+ * that it is accurate even at half turns. */
 void vs_rotation_quaternion(const vs_vec3 columns[3], double quaternion[4]);
-/* Returns the unit normal of a plane with normal n after the map a. It is mapped by the inverse transpose, which is the
- * matrix of cofactors up to a factor. */
+/* Returns the unit normal of a plane after the map a. n: normal of the plane. It is mapped by the matrix of cofactors,
+ * which is the transpose of the inverse times a factor. */
 vs_vec3 vs_affine_normal(const vs_affine *a, vs_vec3 n);
-/* Sets the sine and cosine of an angle in radians, exact at multiples of pi/2. The double nearest to k*pi/2 counts as
- * that multiple. */
+/* Sets *sine and *cosine of an angle in radians, exact at multiples of pi/2: the double nearest to k*pi/2 counts as
+ * this multiple. */
 void vs_sincos(double angle, double *sine, double *cosine);
 /* Sets sine and cosine of the angle index/count of a full turn; count is above 0. Quarter turns are exact, and mirrored
  * angles have exactly mirrored values. */
 void vs_turn_sincos(int index, int count, double *sine, double *cosine);
-double vs_single(double x); /* Returns x rounded to a 32-bit floating-point number. It is neither inline nor a cast,
-                             * because GCC 12 omits the rounding of two adjacent values. */
+double vs_single(double x); /* Returns x rounded to a 32-bit floating-point number. It is a function in another file,
+                             * because GCC 12 omits the rounding of two adjacent values in inline code and casts. */
 vs_vec3 vs_v3_unit(vs_vec3 v); /* Returns the direction of v as a vector of length 1. Vectors along an axis stay exact;
                                 * the zero vector stays zero. */
 
@@ -99,7 +99,8 @@ static inline bool vs_bounds_is_empty(const vs_bounds *b) { return b->min.x > b-
 static inline vs_bounds vs_bounds_empty(void) {
   return (vs_bounds){ { INFINITY, INFINITY, INFINITY }, { -INFINITY, -INFINITY, -INFINITY } };
 }
-/* Extends the box to contain p. A NaN coordinate is ignored, as by fmin; comparisons are faster than calls of fmin. */
+/* Extends the box so that it contains p. A NaN coordinate is ignored, as by fmin, which would be a slower function
+ * call. */
 static inline void vs_bounds_add(vs_bounds *b, vs_vec3 p) {
   b->min = vs_v3(p.x < b->min.x ? p.x : b->min.x, p.y < b->min.y ? p.y : b->min.y, p.z < b->min.z ? p.z : b->min.z);
   b->max = vs_v3(p.x > b->max.x ? p.x : b->max.x, p.y > b->max.y ? p.y : b->max.y, p.z > b->max.z ? p.z : b->max.z);
@@ -111,7 +112,7 @@ static inline void vs_bounds_unite(vs_bounds *b, const vs_bounds *other) {
 }
 void vs_bounds_meet(vs_bounds *b, const vs_bounds *other); /* Replaces *b by the intersection of the boxes *b and
                                                             * *other. */
-/* Returns true if the boxes have a common point, or their distance along every axis is at most slack (at least 0). */
+/* Returns true if the boxes overlap or touch, or if their distance along each axis is at most slack (at least 0). */
 static inline bool vs_bounds_overlap(const vs_bounds *a, const vs_bounds *b, double slack) {
   VS_ASSERT(slack >= 0);
   return a->min.x <= b->max.x + slack && b->min.x <= a->max.x + slack && a->min.y <= b->max.y + slack &&

@@ -30,15 +30,15 @@ typedef struct {
 
 typedef struct {
   const char *name;            /* name of the material, interned; "" for a material without a name */
-  double red, green, blue;     /* colour of the material: sRGB components, 0 to 1 */
+  double red, green, blue;     /* colour of the material's surface: sRGB components, 0 to 1 */
   double roughness, metallic, transparency; /* roughness, metallic share and transparency of the surface, each from 0 to
                                              * 1 */
   double ior;                  /* refractive index; a transparent material of index 1 is thin and does not bend light */
   vs_material_pattern pattern;
 } vs_material;
 
-extern const vs_material vs_material_default;  /* the material that the procedure make-material returns without
-                                                * keywords */
+extern const vs_material vs_material_default;  /* the material that the procedure make-material returns if it is called
+                                                * without keywords */
 extern const double vs_pattern_darkening;      /* factor by which the second colour of a pattern is darker than the
                                                 * material's colour */
 
@@ -53,7 +53,7 @@ double vs_pattern_size(const vs_material_pattern *p);    /* Returns the width of
                                                           * the width that the material sets, or else the pattern's
                                                           * default. */
 
-/* Returns the height of the pattern's picture on the surface, in metres. */
+/* Returns the height of one unit of the pattern, or of the picture, on the surface, in metres. */
 double vs_pattern_height(const vs_material_pattern *p);
 
 #endif

@@ -7,8 +7,8 @@
 #include <stdbool.h>
 
 static const double pi = 3.14159265358979323846;
-enum { TILTS = VS_PICTURE_STEPS / 2 }; /* TILTS: number of steps of the tilt of a face's normal, from straight up (step
-                                        * 0) to straight down */
+enum { TILTS = VS_PICTURE_STEPS / 2 }; /* TILTS: number of steps in which a face's normal is tilted, from straight up
+                                        * (step 0) to straight down */
 
 int vs_picture_direction(double x, double y, double z) {
   const double step = 2 * pi / VS_PICTURE_STEPS;
@@ -24,7 +24,7 @@ void vs_picture_axes(int direction, double across[3], double up[3]) {
   double t = tilt * step, a = turn * step;
   bool level = tilt == 0 || tilt == TILTS;
   VS_ASSERT(direction >= 0 && direction <= TILTS * VS_PICTURE_STEPS);
-  if (level) a = -pi / 2; /* a horizontal face has the axes of a wall that faces south */
+  if (level) a = -pi / 2; /* pictures on a horizontal face have the axes of a wall that faces south */
   across[0] = -sin(a), across[1] = cos(a), across[2] = 0;
   up[0] = -cos(t) * cos(a), up[1] = -cos(t) * sin(a), up[2] = sin(t);
 }

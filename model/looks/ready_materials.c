@@ -31,8 +31,9 @@ static int material_hex_digit(char c) {
   return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
 }
 
-static bool material_same_name(const char *table, const char *given) { /* Returns true if the names are equal; upper and
-                                                                        * lower case count as equal in CSS names. */
+static bool material_same_name(const char *table, const char *given) { /* Returns true if the two names are equal. In
+                                                                        * CSS names, upper and lower case count as
+                                                                        * equal. */
   for (; *table && *given; table++, given++)
     if (*table != (*given >= 'A' && *given <= 'Z' ? *given + 32 : *given)) return false;
   return *table == *given;

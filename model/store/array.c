@@ -15,7 +15,8 @@ bool vs_room_grow(void *slot, size_t *room, size_t need, size_t size) {
   if (more < need) more = need;
   if (more > SIZE_MAX / size) return false;
   void *old, *grown;
-  memcpy(&old, slot, sizeof old); /* slot is the address of a pointer of any type, so the pointer's bytes are copied */
+  memcpy(&old, slot, sizeof old); /* slot is the address of a pointer whose type is unknown here, so the pointer's bytes
+                                   * are copied */
   grown = realloc(old, more * size);
   if (!grown) return false;
   memcpy(slot, &grown, sizeof grown);

@@ -11,9 +11,9 @@
 
 #include "model/assert.h"
 
-/* Makes room for `need` elements of `size` bytes (above 0) in the array whose address is in *slot. *room is the number
- * of elements that fit; it at least doubles when it grows. Returns false when memory is out, and then changes nothing.
- * The caller frees the array. */
+/* Makes room for `need` elements of `size` bytes (above 0) in the array whose address is in *slot. *room: number of
+ * elements for which the array has memory; it at least doubles when it grows. Returns false when memory is out, and
+ * then changes nothing. The caller frees the array. */
 bool vs_room_grow(void *slot, size_t *room, size_t need, size_t size);
 
 #define VS_GROW(array, room, need) ((need) <= (room) || vs_room_grow(&(array), &(room), need, sizeof *(array)))
@@ -28,8 +28,8 @@ static inline void *vs_fresh(size_t n, size_t size) {
  * caller frees the array. */
 static inline void *vs_zeros(size_t n, size_t size) { return calloc(n ? n : 1, size); }
 
-/* Allocates n elements for the array `array`, which must not own memory yet. The value of the expression is false, and
- * the array NULL, when memory is out. */
+/* Allocates n elements for the pointer `array`, whose old value is not freed. The value of the expression is false, and
+ * the pointer NULL, when memory is out. */
 #define VS_FRESH(array, n) (((array) = vs_fresh((n), sizeof *(array))) != NULL)
 
 #endif

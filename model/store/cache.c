@@ -8,13 +8,14 @@
 
 typedef struct entry entry;
 struct entry {
-  vs_cached result; /* must be the first member, because callers hold its address instead of the entry's */
-  entry *chain;     /* next entry in the list of this bucket of the hash table */
+  vs_cached result; /* must be the first member, because callers hold the address of the result instead of the
+                     * entry's */
+  entry *chain;     /* next entry in the same bucket of the hash table */
   entry *newer, *older;
   uint64_t hash, turn;
   size_t holders;
-  size_t own, bytes; /* own: bytes of this entry itself; bytes: `own` plus the bytes of the key's node */
-  vs_node *node;     /* node of the key, retained; may be NULL */
+  size_t own, bytes; /* own: bytes of this entry itself; bytes: `own` plus the bytes of the node in its key */
+  vs_node *node;     /* node of the key, to which the entry holds a reference; may be NULL */
   size_t count;
   uint32_t kind;
   _Alignas(16) unsigned char block[]; /* the words of the key, followed by the bytes of the result */
@@ -56,7 +57,7 @@ static void link_newest(vs_cache *c, entry *e) {
   c->newest = e;
 }
 
-/* Removes and frees an entry that no caller holds. */
+/* Removes entry e from the cache and frees it. No caller holds its result. */
 static void drop(vs_cache *c, entry *e) {
   entry **at = &c->buckets[e->hash & (c->room - 1)];
   VS_ASSERT(e->holders == 0);
@@ -96,7 +97,7 @@ static uint64_t hash_of(const vs_cache_key *k) {
 static bool same(const entry *e, uint64_t hash, const vs_cache_key *k) {
   if (e->hash != hash || e->kind != k->kind || e->count != k->count || !e->node != !k->node) return false;
   if (k->count && memcmp(e->block, k->words, k->count * sizeof *k->words) != 0) return false;
-  /* when memory is out, the nodes count as different, and the result is computed again */
+  /* when memory is out, nodes count as different, so that the result is computed again */
   return e->node == k->node || (e->node->hash == k->node->hash && vs_node_equal(e->node, k->node, NULL));
 }
 
@@ -104,7 +105,7 @@ const vs_cached *vs_cache_find(vs_cache *c, const vs_cache_key *key) {
   if (!vs_cache_asks(c)) return NULL;
   uint64_t hash = hash_of(key);
   entry *e = c->room ? c->buckets[hash & (c->room - 1)] : NULL;
-  c->busy = true; /* Comparing nodes may allocate memory. No entry may be dropped meanwhile. */
+  c->busy = true; /* Comparing nodes may allocate memory, which may drop entries. `busy` prevents this. */
   while (e && !same(e, hash, key)) e = e->chain;
   c->busy = false;
   if (!e) return c->stats.misses[key->kind]++, NULL;
@@ -133,14 +134,14 @@ bool vs_cache_shrink(vs_cache *c, size_t bytes) {
   return c->stats.bytes < before;
 }
 
-/* Makes room for more bytes: drops entries that were last used in earlier turns. Returns false if that does not free
+/* Makes room for more bytes: drops entries whose last use was in an earlier turn. Returns false if these do not free
  * enough. */
 static bool make_room(vs_cache *c, size_t bytes) {
   if (bytes > c->limit / 2) return false;
   for (entry *e = c->oldest, *next; e && c->stats.bytes > c->limit - bytes; e = next) {
     next = e->newer;
-    if (e->turn == c->turn) break; /* The list is sorted by last use. Therefore all later entries were used in this
-                                    * turn, too. */
+    if (e->turn == c->turn) break; /* The list is sorted by last use, so all later entries were also used in this turn,
+                                    * and stay. */
     if (e->holders) continue;
     drop(c, e);
     c->stats.evicted++;
@@ -148,8 +149,8 @@ static bool make_room(vs_cache *c, size_t bytes) {
   return c->stats.bytes <= c->limit - bytes;
 }
 
-/* Sums the bytes of the node and its descendants, including those that other references keep alive. Returns false if
- * the sum exceeds `most`, or memory is out. */
+/* Sums the bytes of the node and its descendants, including nodes that have other references. Returns false if the sum
+ * exceeds `most`, or memory is out. */
 static bool node_bytes(vs_node *n, size_t most, size_t *bytes) {
   *bytes = 0;
   if (!n) return true;
@@ -184,7 +185,8 @@ static bool grow(vs_cache *c) {
   if (c->stats.entries < c->room) return true;
   size_t room = c->room ? c->room * 2 : LEAST;
   entry **grown = vs_store_realloc(c->store, NULL, 0, room * sizeof *grown);
-  if (!grown) return c->room > 0; /* if memory is out, the hash table keeps its size, and its lists become longer */
+  if (!grown) return c->room > 0; /* if memory is out, the hash table keeps its size, and the lists in its buckets
+                                   * become longer */
   memset(grown, 0, room * sizeof *grown);
   for (entry *e = c->oldest; e; e = e->newer) {
     e->chain = grown[e->hash & (room - 1)];
@@ -227,8 +229,8 @@ static entry *keep(vs_cache *c, const vs_cache_key *key, const vs_cache_piece *p
 
 const vs_cached *vs_cache_keep(vs_cache *c, const vs_cache_key *key, const vs_cache_piece *pieces, size_t count) {
   if (!vs_cache_keeps(c)) return NULL;
-  c->busy = true; /* No entry may be dropped while the new entry is allocated, because the found position in the table
-                   * would become invalid. */
+  c->busy = true; /* The allocation of the new entry may drop entries, and change the hash table at the place that was
+                   * found. `busy` prevents this. */
   entry *e = keep(c, key, pieces, count);
   c->busy = false;
   if (!e) return c->stats.refused++, NULL;

@@ -6,13 +6,14 @@
 #include <stdatomic.h>
 #include <stdint.h>
 
-/* Makes each number a separate set: parent[i] = i. Later, parent[i] is i for the root of a set, and a smaller member of
- * the set for other numbers. */
+/* Makes each number a set of its own: parent[i] = i. Later, parent[i] is a smaller member of the same set, or i itself
+ * for the root. */
 static inline void vs_disjoint(uint32_t *parent, uint32_t count) {
   for (uint32_t i = 0; i < count; i++) parent[i] = i;
 }
 
-/* Returns the root of the set of x. Halves the path to the root (Tarjan, van Leeuwen 1984). parent[x] is at most x. */
+/* Returns the root of the set that contains x. Shortens the path to the root by half (Tarjan, van Leeuwen 1984).
+ * parent[x] is at most x. */
 static inline uint32_t vs_find(uint32_t *parent, uint32_t x) {
   VS_ASSERT(parent[x] <= x);
   while (parent[x] != x) x = parent[x] = parent[parent[x]];
@@ -26,14 +27,14 @@ static inline void vs_unite(uint32_t *parent, uint32_t a, uint32_t b) {
   else parent[a] = b;
 }
 
-/* Returns the root of the set of x while other threads unite sets. The root is the smallest member, in any order of the
- * unions. */
+/* Returns the root of the set that contains x, while other threads may unite sets. The root is the smallest member, and
+ * does not depend on the order in which sets are united. */
 static inline uint32_t vs_find_shared(_Atomic uint32_t *parent, uint32_t x) {
   for (;;) {
     uint32_t up = atomic_load_explicit(&parent[x], memory_order_relaxed);
     if (up == x) return x;
     uint32_t over = atomic_load_explicit(&parent[up], memory_order_relaxed);
-    /* Any ancestor is a valid parent of x. Therefore the order in which threads write parents does not matter. */
+    /* Any ancestor is a valid parent of x. Therefore threads may write parents in any order. */
     if (over != up) atomic_store_explicit(&parent[x], over, memory_order_relaxed);
     x = over;
   }

@@ -18,7 +18,7 @@ uint64_t vs_hash_bytes(uint64_t h, const void *bytes, size_t size) {
 
 uint64_t vs_hash_real(uint64_t h, double d) {
   uint64_t v;
-  d += 0.0; /* adding 0.0 changes -0 to 0 */
+  d += 0.0; /* adding 0.0 changes -0 to 0, so that equal numbers have equal hashes */
   memcpy(&v, &d, sizeof v);
   return vs_hash_mix(h, v);
 }

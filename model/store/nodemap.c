@@ -5,7 +5,8 @@
 
 #include "model/store/store_inside.h"
 
-/* Returns the slot that contains the key, or the free slot for it. m->room is a power of two. */
+/* Returns the slot that contains the key; or if there is none, the free slot in which to store it. m->room is a power
+ * of two. */
 static size_t nodemap_place(const vs_nodemap *m, const void *key) {
   size_t at = (size_t)vs_hash_mix(5, (uintptr_t)key) & (m->room - 1);
   VS_ASSERT(m->room > 0 && (m->room & (m->room - 1)) == 0);

@@ -10,14 +10,13 @@ typedef struct { vs_store *store; vs_nodemap_slot *slots; size_t count, room; } 
 
 void vs_nodemap_free(vs_nodemap *m); /* Frees the map's memory; the map is then empty and may be used again. */
 uint64_t *vs_nodemap_get(const vs_nodemap *m, const void *key); /* Returns the address of the value for the key, or NULL
-                                                                 * if the map lacks the key. The address is valid until
-                                                                 * the next key is added. */
-/* Adds the key with the value 0 if the map lacks it. Returns the address of the value, or NULL when memory is out. Sets
- * *found to true if the map already had the key; found may be NULL. */
+                                                                 * if the map does not contain the key. The address is
+                                                                 * valid until the next key is added. */
+/* Adds the key with the value 0 if the map does not contain it. Returns the address of its value, or NULL when memory
+ * is out. *found: true if the map contained the key before; found may be NULL. */
 uint64_t *vs_nodemap_put(vs_nodemap *m, const void *key, bool *found);
-/* Adds a key as vs_nodemap_put does, but retains the node. Without a reference, a temporary node could be freed and
- * another node get its address. All keys of such a map are added by this function, and vs_nodemap_free_held frees the
- * map. */
+/* Adds a key as vs_nodemap_put does, and a reference to its node: a node that was freed could otherwise give its
+ * address to another. All keys of such a map are added by this function, and vs_nodemap_free_held frees the map. */
 uint64_t *vs_nodemap_put_held(vs_nodemap *m, vs_node *key, bool *found);
 void vs_nodemap_free_held(vs_nodemap *m);
 

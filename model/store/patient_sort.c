@@ -11,11 +11,11 @@ typedef struct { const char *at, *end; } sort_run;
 typedef struct { size_t size; sort_compare *compare; } sort_order; /* size: number of bytes of an element; compare:
                                                                     * comparison function as for qsort */
 
-/* RUN: number of elements that qsort sorts at once. SORT_WORK, RUN_WORK: work of merging an element and of sorting a
- * run, in the unit of vs_store_going (about a nanosecond). */
+/* RUN: number of elements that qsort sorts at once. SORT_WORK: work of merging one element; RUN_WORK: work of sorting
+ * one run; both in the unit of vs_store_going (about a nanosecond). */
 enum { RUN = 1 << 14, SORT_WORK = 1 << 6, RUN_WORK = 1 << 20 };
 
-/* Merges the sorted runs a and b into the memory at `to`. Returns false on an interrupt. */
+/* Merges the sorted runs a and b, in the order `by`, into the memory at `to`. Returns false on an interrupt. */
 static bool sort_merge(vs_store *s, sort_run a, sort_run b, char *to, sort_order by, vs_error *e) {
   size_t size = by.size;
   for (; a.at < a.end || b.at < b.end; to += size) {

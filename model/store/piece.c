@@ -39,11 +39,11 @@ static bool slab_add(vs_store *s, size_t least) {
   size_t room = s->slab_bytes / 4;
   if (room < SLAB_LEAST) room = SLAB_LEAST;
   if (room > SLAB_MOST) room = SLAB_MOST;
-  if (room > HUGE_PAGE) room -= room % HUGE_PAGE; /* The size of a slab is rounded down to a multiple of huge pages,
-                                                   * which the operating system may use for it. */
+  if (room > HUGE_PAGE) room -= room % HUGE_PAGE; /* A large slab has a whole number of huge pages, so that the
+                                                   * operating system can use such pages for it. */
   room -= sizeof(vs_slab);
   vs_slab *slab = s->alloc(s->context, NULL, 0, sizeof *slab + room);
-  /* Little memory may be left, so a smaller slab is tried. */
+  /* If memory is nearly out, tries to allocate a smaller slab. */
   if (!slab && room > least) slab = s->alloc(s->context, NULL, 0, sizeof *slab + (room = least));
   if (!slab) return false;
   *slab = (vs_slab){ .next = s->slabs, .room = room };

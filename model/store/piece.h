@@ -4,7 +4,8 @@
 
 #include "model/store/store.h"
 
-/* Returns a piece of memory of `bytes` bytes, or NULL when memory is out. The caller frees it with the same size. */
+/* Returns a piece of memory of `bytes` bytes, or NULL when memory is out. The caller frees it by vs_store_piece_free
+ * with the same number of bytes. */
 void *vs_store_piece(vs_store *s, size_t bytes);
 /* Frees a piece of `bytes` bytes, and subtracts them from the store's count. */
 void vs_store_piece_free(vs_store *s, void *piece, size_t bytes);

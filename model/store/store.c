@@ -110,8 +110,8 @@ static void *store_keep(vs_store *s, size_t size) {
     if (!b) return NULL;
     b->size = room;
     b->used = 0;
-    if (room == size && s->blocks) { /* a large item gets a separate block, after the block that is currently being
-                                      * filled */
+    if (room == size && s->blocks) { /* a large item gets a block of its own, which is inserted after the block that is
+                                      * being filled */
       b->next = s->blocks->next;
       s->blocks->next = b;
     } else {
@@ -129,8 +129,8 @@ static void *store_keep(vs_store *s, size_t size) {
 typedef uint64_t vs_intern_hash_fn(const void *item);
 typedef bool vs_intern_same_fn(const void *item, const void *key);
 
-/* Returns the slot of an equal item in the hash table t, or the empty slot for it; NULL when memory is out. The table's
- * room is 0 or a power of two. */
+/* Returns the slot of the hash table t that contains an item equal to `key`, or the free slot for it; NULL when memory
+ * is out. The table's room is 0 or a power of two. */
 static void **intern_find(vs_store *s, vs_intern *t, uint64_t hash, const void *key, vs_intern_same_fn *same,
                           vs_intern_hash_fn *hash_of) {
   VS_ASSERT((t->room & (t->room - 1)) == 0);
@@ -186,7 +186,8 @@ uint64_t vs_text_hash(const char *interned) {
 }
 
 static uint64_t origin_hash(const void *item) {
-  const vs_origin *o = item; /* The hash contains addresses. Only this table uses it, so no output depends on it. */
+  const vs_origin *o = item; /* The hash contains addresses, which differ from run to run. Only this table uses it, so
+                              * no output depends on it. */
   uint64_t h = vs_hash_mix((uintptr_t)o->file, (uint64_t)o->line << 32 | o->column);
   return vs_hash_mix(h, (uintptr_t)o->caller);
 }
@@ -265,7 +266,8 @@ bool vs_store_grow(vs_store *s, void *slot, size_t *room, size_t need, size_t si
   size_t more = *room + *room / 2 + 16;
   if (more < need) more = need;
   void *old, *fresh;
-  memcpy(&old, slot, sizeof old); /* slot is the address of a pointer of any type, so the pointer's bytes are copied */
+  memcpy(&old, slot, sizeof old); /* slot is the address of a pointer whose type is unknown here, so the pointer's bytes
+                                   * are copied */
   fresh = more <= SIZE_MAX / size ? vs_store_realloc(s, old, *room * size, more * size) : NULL;
   if (fresh == NULL) return false;
   memcpy(slot, &fresh, sizeof fresh);

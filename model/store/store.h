@@ -16,29 +16,29 @@ typedef void *vs_alloc_fn(void *context, void *old, size_t old_size, size_t new_
 /* Returns a new store with one reference, or NULL when memory is out. If alloc is NULL, the store uses the C library's
  * allocator. */
 vs_store *vs_store_new(vs_alloc_fn *alloc, void *context);
-/* Adds a reference to the store and returns it. */
+/* Adds a reference to the store s. Returns s. */
 vs_store *vs_store_retain(vs_store *s);
 void vs_store_release(vs_store *s);
 size_t vs_store_bytes(const vs_store *s); /* Returns the number of bytes that the store's nodes and arrays currently
                                            * use. They count towards the interpreter's memory budget. */
-/* Adds `work`, in units of about a nanosecond, to a counter. Each time the counter reaches a million, calls
- * vs_job_going of the store's job (model/job.h). Returns false, with the error "interrupted" in e, if the job must end.
- * If s is NULL, returns true. */
+/* Counts work, in units of about a nanosecond. After every million units, asks the store's job whether it must end
+ * (vs_job_going in model/job.h). Returns false, with the error "interrupted" in e, if it must. If s is NULL, returns
+ * true. */
 bool vs_store_going(vs_store *s, uint32_t work, vs_error *e);
 /* Reallocates memory of the store, as realloc does, and counts the bytes. If new_size is 0, frees the memory. old_size:
- * the size that was allocated. */
+ * the size for which the memory was allocated. */
 void *vs_store_realloc(vs_store *s, void *old, size_t old_size, size_t new_size);
-/* Makes room for `need` elements of `size` bytes (above 0) in the array whose address is in *slot. *room is the number
- * of elements that fit. Returns false when memory is out, and then changes nothing. */
+/* Makes room for `need` elements of `size` bytes (above 0) in the array whose address is in *slot. *room: number of
+ * elements for which the array has memory. Returns false when memory is out, and then changes nothing. */
 bool vs_store_grow(vs_store *s, void *slot, size_t *room, size_t need, size_t size);
-/* For tests: makes the n-th allocation from now, and all later allocations, fail. If n is 0, no allocation fails. */
+/* For tests: makes the n-th allocation from now on fail, and all later ones. If n is 0, no allocation fails. */
 void vs_store_fail_at(vs_store *s, size_t n);
-/* Returns the address of a pointer, initially NULL, in which geometry/ keeps data that is slow to create (fonts). The
- * store calls let_go with this data when the store is freed. */
+/* Returns the address of a pointer, NULL at first, in which geometry/ keeps data that is slow to make (fonts). When the
+ * store is freed, it calls let_go with this data. */
 void **vs_store_kept(vs_store *s, void (*let_go)(vs_store *s, void *kept));
 /* Returns an interned, NUL-terminated copy of the text, or NULL when memory is out. */
 const char *vs_store_text(vs_store *s, const char *text, size_t length);
-/* Returns the interned origin with these members, or NULL when memory is out. */
+/* Returns the interned origin (place of a call) with these members, or NULL when memory is out. */
 const vs_origin *vs_store_origin(vs_store *s, const char *file, uint32_t line, uint32_t column,
                                  const vs_origin *caller);
 /* Returns an interned copy of the material, or NULL when memory is out. */
@@ -47,8 +47,8 @@ const vs_material *vs_store_material(vs_store *s, const vs_material *m);
 const vs_picture *vs_store_picture(vs_store *s, const vs_picture *p);
 uint64_t vs_text_hash(const char *interned); /* Returns the hash of an interned text, which the store keeps beside the
                                               * text. */
-/* Sets the callback that is called when the last reference to a ticket is released. NULL: no callback. The callback
- * must not use nodes. */
+/* Sets the callback `gone`, which is called when the last reference to a ticket is released; NULL: there is no
+ * callback. It must not use nodes. */
 void vs_store_on_ticket(vs_store *s, void (*gone)(void *context, uint32_t id), void *context);
 
 #endif

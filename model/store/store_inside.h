@@ -6,8 +6,10 @@
 #include "model/store/store.h"
 #include "model/store/hashes.h"
 
-typedef struct { void **slots; size_t count, room; } vs_intern; /* hash table of interned values with open addressing;
-                                                                 * room: number of slots, a power of two */
+typedef struct { void **slots; size_t count, room; } vs_intern; /* A hash table of interned values, with open
+                                                                 * addressing. slots: addresses of the values; count:
+                                                                 * number of values; room: number of slots, a power of
+                                                                 * two. */
 typedef struct vs_block vs_block;
 typedef struct vs_slab vs_slab;
 typedef struct vs_piece vs_piece;
@@ -19,8 +21,8 @@ struct vs_store {
   size_t bytes;
   vs_alloc_fn *alloc;
   void *context;
-  size_t fail_at; /* for tests: number of allocations up to and including the first that fails; 0 after that failure, or
-                   * if none is to fail */
+  size_t fail_at; /* for tests: how many allocations until the first that fails, which is included; 0 if none is to
+                   * fail, or after the failure */
   bool failing;
   vs_intern texts, origins, materials;
   const vs_picture *pictures; /* list of the store's pictures, which are few */
@@ -33,10 +35,11 @@ struct vs_store {
   void (*ticket_gone)(void *context, uint32_t id);
   void *ticket_context;
   vs_block *blocks; /* memory of interned values, freed with the store */
-  vs_slab *slabs;   /* blocks from which pieces (small objects) are cut (piece.c); new pieces come from the first
-                     * slab */
+  vs_slab *slabs;   /* slabs: blocks of memory from which pieces (small objects) are cut (piece.c); new pieces come from
+                     * the first slab */
   size_t slab_bytes, piece_count;
-  vs_piece *given_back[VS_PIECE_MOST / 8 + 1]; /* given_back[i]: list of freed pieces (small objects) of i words */
+  vs_piece *given_back[VS_PIECE_MOST / 8 + 1]; /* given_back[i]: list of freed pieces (small objects) with a size of i
+                                                * words */
 };
 
 #endif
