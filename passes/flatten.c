@@ -15,10 +15,10 @@
 
 typedef struct {
   vs_store *store;
-  uint64_t *above;      /* above[i]: kinds of set, as bits 1 << kind, that can be dissolved into the set around node i
-                         * of the old tree */
+  uint64_t *above;      /* above[i]: kinds of set that can be merged into the set around node i of the old tree; bit 1
+                         * << kind is set for each such kind */
   size_t count;
-  vs_nodemap dissolves; /* set of new nodes that the rewriting of their parent must dissolve into it */
+  vs_nodemap dissolves; /* new sets that are merged into their parent set when the parent is rewritten */
 } vs_flatten;
 
 
@@ -49,16 +49,16 @@ void vs_flatten_end(vs_rewrite *w) {
   vs_store_realloc(w->store, f, sizeof *f, 0);
 }
 
-/* Returns true if `new`, a set that replaces the node `old`, will be dissolved into the set that refers to it. */
+/* Returns true if the set `new`, which replaces the node `old`, will be merged into the set that refers to it. */
 static bool flatten_fits(const vs_rewrite *w, const vs_flatten *f, const vs_node *old, const vs_node *new) {
   return new->child_count && vs_rewrite_lone(w, old) && f->above[vs_order_of(old)] >> new->kind & 1;
 }
 
-typedef struct { const vs_ref *at; size_t left; } vs_flatten_run; /* members of a set that are not gathered yet: an
-                                                                   * array and the number of its remaining elements */
+typedef struct { const vs_ref *at; size_t left; } vs_flatten_run; /* members of a set that are not collected yet:
+                                                                   * address of the first, and their number */
 
-/* Gathers the members of a set whose children are kids, in order, with all nested sets dissolved. If `out` is NULL,
- * only counts the members. Returns false if memory is out. */
+/* Collects the members of a set with the children `kids`, in order; the members of nested sets that are merged replace
+ * these sets. If `out` is NULL, only counts the members. Returns false if memory is out. */
 static bool flatten_gather(const vs_flatten *f, const vs_ref *kids, size_t kid_count, vs_ref *out, size_t *count) {
   size_t room = 16, depth = 1, n = 0;
   vs_flatten_run *stack = vs_store_realloc(f->store, NULL, 0, room * sizeof *stack);
@@ -114,15 +114,14 @@ static vs_node *flatten_set(vs_rewrite *w, const vs_node *n, const vs_ref *kids)
 vs_node *vs_pass_flatten(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
   vs_flatten *f = w->state;
   if (!vs_node_is_set(n)) return vs_rewrite_keep(w, n, kids);
-  /* A set of a single member equals that member. The union of a single closed curve is an exception, because it is a
-   * region. */
+  /* A set with one member equals this member, except a union of one closed curve, which is a region. */
   bool one = n->child_count == 1 && kids[0].node->class_ == n->class_ && !vs_nodemap_get(&f->dissolves, kids[0].node);
   vs_node *new;
   if (one) {
     *origin = kids[0].origin;
     w->changed++;
     new = vs_node_retain(kids[0].node);
-    /* The only member replaces the set. If it has no other reference, it may be dissolved into the parent set. */
+    /* The only member replaces the set. If it has no other reference, it may be merged into the parent set. */
     if (!vs_rewrite_lone(w, n->children[0].node) || !flatten_fits(w, f, n, new)) return new;
   } else if (flatten_fits(w, f, n, n)) {
     new = vs_rewrite_keep(w, n, kids);

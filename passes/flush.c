@@ -24,12 +24,13 @@
 #include "passes/rewrite.h"
 #include "model/store/array.h"
 
-enum { PARTS_MOST = 4000, PAIRS_MOST = 1000000 }; /* PARTS_MOST, PAIRS_MOST: limits on the parts, and on the pairs of
-                                                   * parts, of a single set; if a set exceeds them, every part of it
-                                                   * counts as flush */
+enum { PARTS_MOST = 4000, PAIRS_MOST = 1000000 }; /* PARTS_MOST, PAIRS_MOST: greatest number of parts of one set, and of
+                                                   * pairs of parts, that are compared. In a set that exceeds them,
+                                                   * every part counts as flush (having a face in a plane with another
+                                                   * part's face). */
 
 /* key: plane of a face as four whole numbers; turned: 1 if the face's normal is opposite to the key's normal; operand,
- * part: the operand and part with this face */
+ * part: numbers of the operand and the part that have this face */
 typedef struct { int64_t key[4]; uint32_t turned, operand, part; } face_plane;
 typedef struct { const vs_node *node; vs_affine placed; } place; /* a node inside a set, and its placement in the set's
                                                                   * coordinates */
@@ -63,9 +64,9 @@ static int compare_planes(const void *p, const void *q) {
 
 static bool same_plane(const face_plane *a, const face_plane *b) { return memcmp(a->key, b->key, sizeof a->key) == 0; }
 
-/* Adds the plane through `at` with this normal to the planes of an operand. The two sides of a plane have one key. The
- * borders of the rounding steps are at numbers that no model uses. Numbers that differ only by rounding errors
- * therefore almost always have equal keys. */
+/* Adds a plane, given by the point `at` and the normal, to the planes of an operand. Both directions of a normal have
+ * one key. Limits between two rounded numbers are at values that no model uses, so that numbers that differ only by
+ * rounding errors almost always have equal keys. */
 static bool add_plane(flush *f, vs_vec3 normal, vs_vec3 at, uint32_t operand) {
   vs_vec3 n = vs_v3_unit(normal);
   double first = fabs(n.x) > 1e-7 ? n.x : fabs(n.y) > 1e-7 ? n.y : n.z, h;
@@ -83,8 +84,8 @@ static bool add_plane(flush *f, vs_vec3 normal, vs_vec3 at, uint32_t operand) {
   return true;
 }
 
-/* Returns true if memory is out or the run was interrupted: the pass must then fail. Any other error means that a part
- * cannot be meshed. The pass skips the part, and the mesher reports the error later. */
+/* Returns true if the pass must fail: memory is out or the run was interrupted. Any other error means that a part
+ * cannot be meshed; the pass skips this part, and the mesher reports the error later. */
 static bool starved(const vs_error *e) { return e->kind != VS_ERROR_NONE && e->kind != VS_ERROR_MODEL; }
 
 /* Adds each plane of the faces of part n once. Adds no plane if the part cannot be meshed here. */
@@ -96,8 +97,8 @@ static bool add_part(flush *f, const vs_node *n, const vs_affine *placed, uint32
   if (!VS_GROW(f->boxes, f->part_room, f->part_count + 1)) return false;
   vs_bounds *box = &f->boxes[f->part_count++];
   *box = vs_bounds_empty();
-  if (n->kind == VS_HALF_SPACE) { /* A normal would be transformed by the inverse transpose of the placement. It is
-                                   * simpler to transform two directions in the plane. */
+  if (n->kind == VS_HALF_SPACE) { /* to map a plane, maps two directions in the plane, which is simpler than mapping its
+                                   * normal by the inverse transpose */
     vs_vec3 normal = vs_v3_unit(VS_AS(half_space, n)->normal),
             u = vs_v3_unit(vs_v3_cross(normal, fabs(normal.z) < 0.5 ? vs_v3(0, 0, 1) : vs_v3(1, 0, 0))),
             v = vs_v3_cross(normal, u);
@@ -153,9 +154,9 @@ static bool add_operand(flush *f, const vs_node *operand, uint32_t number, bool 
   return true;
 }
 
-/* Marks the operands that share a plane with an earlier operand. In an intersection this is any operand. In a
- * difference it is each operand that is flush with the first operand. It is also each cutter that touches another
- * cutter face to face, because POV-Ray shows a thin skin between the two. */
+/* Marks the operands that share a plane with an earlier operand. In an intersection, this may be any earlier operand.
+ * In a difference, it is the first operand, or an earlier cutter that is touched face to face: POV-Ray shows a thin
+ * skin between such cutters. */
 static void mark(flush *f, bool difference, unsigned char *marked, size_t operands) {
   size_t pairs = 0;
   if (f->count > 0) qsort(f->planes, f->count, sizeof *f->planes, compare_planes);
@@ -180,9 +181,9 @@ static void mark(flush *f, bool difference, unsigned char *marked, size_t operan
 
 /* ---- enlarging parts ---- */
 
-/* Computes the bounding box of part n and the point about which it is enlarged: the centre of its mesh if it has
- * one, otherwise of its box. Returns false if there is nothing to enlarge. Returns false with *failed set if memory
- * is out. */
+/* Computes the bounding box of part n, and the point about which it is enlarged: the centre of its mesh, or of its box
+ * if it has no mesh. Returns false if there is nothing to enlarge, or if memory is out; *failed is true only in the
+ * second case. */
 static bool middle_of(const vs_node *n, vs_bounds *b, vs_vec3 *middle, bool *failed) {
   static const vs_fineness coarse = { 1e300, 32 };
   vs_mesh mesh = { 0 };
@@ -201,7 +202,7 @@ static bool middle_of(const vs_node *n, vs_bounds *b, vs_vec3 *middle, bool *fai
   return !(*failed = starved(&ignored));
 }
 
-/* Returns the solid of ref, which is not a placement, with all its faces moved outwards by about the length `by`.
+/* Returns the solid of ref with all its faces moved outwards by about the length `by`. The node of ref is no placement.
  * Returns NULL if memory is out. */
 static vs_node *grown_part(vs_ref ref, double by) {
   vs_node *n = ref.node;
@@ -217,14 +218,15 @@ static vs_node *grown_part(vs_ref ref, double by) {
   return vs_node_new(s, VS_TRANSFORM, &(struct vs_transform){ .matrix = vs_affine_scaling(middle, more) }, &ref, 1);
 }
 
-/* Returns the factor by which a placement changes lengths: the cube root of its factor for volumes. */
+/* Returns the factor by which a placement changes lengths on average: the cube root of its factor for volumes. */
 static double lengthens(const vs_affine *a) {
   vs_vec3 x = vs_v3(a->m[0][0], a->m[1][0], a->m[2][0]), y = vs_v3(a->m[0][1], a->m[1][1], a->m[2][1]),
           z = vs_v3(a->m[0][2], a->m[1][2], a->m[2][2]);
   return cbrt(fabs(vs_v3_dot(x, vs_v3_cross(y, z))));
 }
 
-/* Returns the part, inside its placements and materials, with its faces moved outwards by about the length `by`. */
+/* Returns the part with its faces moved outwards by about the length `by`, inside the same placements and materials.
+ * Returns NULL if memory is out. */
 static vs_node *grown_placed(vs_ref part, double by) {
   vs_ref at = part;
   while (vs_is_wrapper(at.node)) {
@@ -282,8 +284,8 @@ static vs_node *part_flush(vs_rewrite *w, const vs_node *n, const vs_ref *kids, 
   for (; ok && made < n->child_count; made++) {
     now[made] = kids[made];
     any = any || marked[made];
-    /* In an intersection each operand is enlarged by a different length, because enlarged operands may be flush with
-     * each other. */
+    /* In an intersection, each operand is enlarged by a different length, so that two enlarged operands do not have
+     * faces in one plane. */
     if (!marked[made]) vs_node_retain(kids[made].node);
     else if (!(now[made].node = grown(kids[made], diagonal * 0x1p-16 * (n->kind == VS_DIFFERENCE ? 1 : made))))
       ok = false;

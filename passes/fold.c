@@ -14,7 +14,8 @@
 
 enum { CARRY_MOST = 8, DRESS_MOST = 4 };
 
-typedef struct { vs_nodemap shared; /* shared: new nodes with several references, which the pass keeps */ } fold_state;
+typedef struct { vs_nodemap shared; /* shared: set of new nodes with several references, which the pass must not
+                                     * change */ } fold_state;
 
 bool vs_fold_begin(vs_rewrite *w) {
   fold_state *f = vs_store_realloc(w->store, NULL, 0, sizeof *f);
@@ -45,7 +46,8 @@ typedef struct { int wrappers; bool set; } fold_way; /* wrappers: number of mate
 static vs_node *fold_carry(vs_rewrite *w, const vs_affine *a, const vs_node *n, fold_way way, bool *fits,
                            const vs_origin **origin);
 
-/* Returns n with the placement a moved into each of its children. data: the new field values of n. */
+/* Moves the placement a into each child of n, and returns a copy of n with these children. data: fields of the copy;
+ * way: how far the placement may move. Sets *fits to false if some child cannot absorb the placement. */
 static vs_node *fold_carry_children(vs_rewrite *w, const vs_affine *a, const vs_node *n, const void *data, fold_way way,
                                     bool *fits) {
   vs_ref kids[CARRY_MOST];
@@ -115,7 +117,7 @@ static vs_node *fold_placed(vs_rewrite *w, const vs_node *n, const vs_ref *kids,
     return vs_node_retain(kids[0].node);
   }
   if (!vs_rewrite_lone(w, n->children[0].node) || !fold_lone(w, below)) return vs_rewrite_keep(w, n, kids);
-  /* error messages shall refer to the call that made the primitive, not the placement */
+  /* error messages should refer to the call that made the primitive, not to the call that placed it */
   const vs_origin *own = below->kind == VS_TRANSFORM ? NULL : kids[0].origin;
   vs_node *made = fold_carry(w, a, below, (fold_way){ DRESS_MOST, true }, &fits, &own);
   if (!fits) return vs_rewrite_keep(w, n, kids);
@@ -138,8 +140,8 @@ static bool fold_may_rise(const vs_rewrite *w, const vs_node *n) {
          (n->kind == VS_LAYER || !(VS_AS(material, n)->material->transparency > 0)) && fold_lone(w, n);
 }
 
-/* Returns the number of members from kids[at] on that have equal wrappers (material or layer), if the wrapper may move
- * outside the set. */
+/* Counts the members, from kids[at] on, with a wrapper (material or layer) equal to that of kids[at], as long as it may
+ * move outside the set. Returns their number. */
 static uint32_t fold_run(const vs_rewrite *w, const vs_ref *kids, uint32_t at, uint32_t count) {
   uint32_t end = at;
   if (!fold_may_rise(w, kids[at].node)) return 0;
@@ -150,7 +152,7 @@ static uint32_t fold_run(const vs_rewrite *w, const vs_ref *kids, uint32_t at, u
 static vs_node *fold_members(vs_rewrite *w, const vs_node *set, vs_kind kind, const vs_ref *kids, uint32_t count,
                              int depth);
 
-/* Returns the wrapper (material or layer) that all kids have, around the set of the nodes inside it. */
+/* Returns the wrapper (material or layer) that all kids have, around a set of the nodes inside these wrappers. */
 static vs_node *fold_raise(vs_rewrite *w, const vs_node *set, vs_kind kind, const vs_ref *kids, uint32_t count,
                            int depth) {
   const vs_node *wrapper = kids[0].node;
@@ -164,8 +166,9 @@ static vs_node *fold_raise(vs_rewrite *w, const vs_node *set, vs_kind kind, cons
   return made;
 }
 
-/* Returns the set of kids, with wrappers that neighbours have in common moved around them. New nodes have the origin of
- * `set`. Calls itself twice for each nested wrapper, to a depth of at most `depth`. */
+/* Returns a set of the kids, in which a wrapper (material or layer) that neighbours have in common is moved around
+ * these neighbours. New nodes have the origin of `set`. Calls itself twice for each nested wrapper, to a depth of at
+ * most `depth`. */
 static vs_node *fold_members(vs_rewrite *w, const vs_node *set, vs_kind kind, const vs_ref *kids, uint32_t count,
                              int depth) {
   if (depth > 0 && fold_run(w, kids, 0, count) == count) return fold_raise(w, set, kind, kids, count, depth - 1);
@@ -196,7 +199,7 @@ static vs_node *fold_members(vs_rewrite *w, const vs_node *set, vs_kind kind, co
 
 static vs_node *fold_set(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
   bool any = false;
-  /* If kids is the node's own array, all children are leaves with one reference, which have no wrapper. */
+  /* If kids is the node's own array, all children are leaves with one reference, which have no wrapper around them. */
   if (n->child_count < 2 || kids == n->children) return vs_rewrite_keep(w, n, kids);
   for (uint32_t i = 1; !any && n->kind == VS_UNION && i < n->child_count; i++)
     any = fold_is_wrapper(kids[i].node) && fold_same_wrapper(kids[i - 1].node, kids[i].node) &&
@@ -206,8 +209,8 @@ static vs_node *fold_set(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
   return fold_members(w, n, (vs_kind)n->kind, kids, n->child_count, DRESS_MOST);
 }
 
-/* An outer material directly around a material has no effect, nor has a layer around a layer. Therefore the outer
- * wrapper is removed. */
+/* An outer material directly around a material has no effect, and an outer layer directly around a layer neither.
+ * Therefore the outer one is removed. */
 static vs_node *fold_wrapper(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
   if (kids[0].node->kind != n->kind || !fold_lone(w, kids[0].node)) return vs_rewrite_keep(w, n, kids);
   w->changed++;

@@ -16,8 +16,8 @@ enum { MANY = 12, FEW = 5 };
 
 typedef struct { vs_ref ref; vs_bounds bounds; vs_vec3 middle; size_t index; } group_part;
 typedef struct {
-  unsigned char *carved, *painted; /* carved[i]: whether old node i is in an intersection or difference; painted[i]:
-                                    * whether it has a material */
+  unsigned char *carved, *painted; /* carved[i]: whether node i of the old tree is in an intersection or difference;
+                                    * painted[i]: whether it contains a material */
   size_t count;
 } group_state;
 
@@ -39,8 +39,8 @@ static int group_by_z(const void *p, const void *q) {
 static vs_node *group_box(vs_rewrite *w, const group_part *parts, size_t count, vs_ref whole) {
   vs_bounds b = vs_bounds_empty();
   for (size_t i = 0; i < count; i++) vs_bounds_unite(&b, &parts[i].bounds);
-  double more = 2e-3 * vs_bounds_diagonal(&b); /* the bounds of curved shapes are computed from sample points, so they
-                                                * are enlarged by a little */
+  double more = 2e-3 * vs_bounds_diagonal(&b); /* enlarges the bounds a little, because those of curved shapes are
+                                                * computed from sample points */
   struct vs_box box = { .p = { b.min.x - more, b.min.y - more, b.min.z - more },
                         .q = { b.max.x + more, b.max.y + more, b.max.z + more } };
   vs_ref both[2] = { { vs_node_new(w->store, VS_BOX, &box, NULL, 0), whole.origin }, whole };
@@ -49,8 +49,8 @@ static vs_node *group_box(vs_rewrite *w, const group_part *parts, size_t count, 
   return made;
 }
 
-/* Returns a new reference to the parts' union as a tree of boxes, with the first part's origin. It divides the parts
- * into halves, so the depth of its recursion is the number of binary digits of count. */
+/* Returns a new reference to the union of the parts as a tree of boxes, with the origin of the first part. Divides the
+ * parts into halves, so the recursion is as deep as the number of binary digits of count. */
 static vs_node *group_tree(vs_rewrite *w, group_part *parts, size_t count) {
   vs_ref kids[FEW] = { { 0 } };
   size_t n = count <= FEW ? count : 2;
@@ -73,7 +73,8 @@ static vs_node *group_tree(vs_rewrite *w, group_part *parts, size_t count) {
   return made;
 }
 
-/* Replaces kids from index `first` on by trees of boxes, if enough of them can be grouped. Returns NULL on failure. */
+/* Returns a copy of n in which trees of boxes replace the kids from index `first` on, if enough of these can be
+ * grouped. Returns NULL on failure. */
 static vs_node *group_members(vs_rewrite *w, const vs_node *n, const vs_ref *kids, uint32_t first) {
   const group_state *g = w->state;
   size_t count = 0, kept = first;

@@ -9,8 +9,8 @@
 #include "passes/rewrite.h"
 
 typedef struct {
-  const vs_material *ink, *slate; /* ink: dark material for curves and regions; slate: material for surfaces, less dark,
-                                   * so that their shading stays visible */
+  const vs_material *ink, *slate; /* ink: dark material for curves and regions; slate: a less dark material for
+                                   * surfaces, so that their shading stays visible */
   unsigned char *painted;         /* painted[i]: whether node i contains a material */
 } ink_state;
 
@@ -33,8 +33,8 @@ static vs_node *ink_around(vs_rewrite *w, vs_ref thin) {
   return vs_node_new(w->store, VS_MATERIAL, &paint, &thin, 1);
 }
 
-/* Returns node n with these children. Children that contain no material get the dark material. Returns NULL if memory
- * is out. */
+/* Returns a copy of node n with the children kids, of which those that contain no material get a dark one. Returns NULL
+ * if memory is out. */
 static vs_node *ink_children(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
   size_t count = n->child_count;
   vs_ref *inked = vs_store_realloc(w->store, NULL, 0, (count + 1) * sizeof *inked);
@@ -89,8 +89,9 @@ bool vs_scene_ink(vs_scene *scene, vs_error *e) {
   size_t room = w.order.count + 1;
   if (ok) ok = (s.painted = vs_store_realloc(store, NULL, 0, room)) != NULL || vs_error_memory(e, NULL);
   if (ok) ink_look(&w, &s);
-  for (size_t i = 0; ok && i < scene->drawn_count; i++) { /* drawn objects that contain no material get one as a whole;
-                                                           * nothing below them changes */
+  for (size_t i = 0; ok && i < scene->drawn_count; i++) { /* gives each drawn object that contains no material one
+                                                           * material as a whole; nothing below such an object
+                                                           * changes */
     vs_ref *drawn = &scene->drawn[i];
     if (!ink_is_whole(&w, drawn->node)) continue;
     vs_node *inked = ink_around(&w, *drawn);

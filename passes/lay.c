@@ -1,10 +1,10 @@
 /* Keeps bricks, boards and pictures correct on rotated objects.
  *
- * POV-Ray chooses the projection of a texture on a face by the face's normal in the scene, but rotates the texture
- * with its object. Projection and texture agree if only translations surround the material. The pass therefore moves
- * every other placement around a material down by one level at a time, until it is below all such materials. Bricks
- * then follow the scene's axes and keep their size, as on web pages. Translations stay, and so does most sharing of
- * copies. */
+ * POV-Ray chooses the projection of a texture on a face by the face's normal in the scene, but rotates the texture with
+ * its object. Projection and texture agree only if the placements around the material are translations. The pass
+ * therefore moves every other placement around a material down by one level at a time, until it is below all such
+ * materials. Bricks then follow the scene's axes and keep their size, as on web pages. Translations stay, and so does
+ * most sharing of copies. */
 #include "passes/lay.h"
 
 #include "passes/rewrite.h"
@@ -20,8 +20,7 @@ static bool lies_on_faces(const vs_material *m) {
   return false;
 }
 
-/* Returns true if node n contains a material with a pattern on faces, such as bricks. state[i]: whether node i contains
- * such a material. */
+/* Returns true if node n contains a material with a pattern on faces, such as bricks. */
 static bool lay_is_laid(const vs_rewrite *w, const vs_node *n) {
   return vs_order_has(&w->order, n) && ((const unsigned char *)w->state)[vs_order_of(n)];
 }
@@ -39,7 +38,7 @@ static bool lay_look(vs_rewrite *w) {
   return any;
 }
 
-/* Returns the node `inner`, in which the placement has been moved around each of its children. */
+/* Returns a copy of the node `inner` in which the placement is around each child, instead of around `inner`. */
 static vs_node *lay_inside(vs_rewrite *w, const vs_node *placement, const vs_node *inner) {
   size_t count = inner->child_count, made = 0;
   vs_ref *kids = vs_store_realloc(w->store, NULL, 0, (count + 1) * sizeof *kids);

@@ -15,15 +15,18 @@
 #include "model/store/nodemap.h"
 #include "passes/rewrite.h"
 
-/* A look of parts: the material or layer `wrapper` inside the look `above`; look 0 means no look. first, last: list of
- * the parts with this look, linked by `next`. */
+/* A look: the material or layer `wrapper` inside the look number `above`; look 0 has neither. first, last: list of the
+ * parts with this look, linked by their member `next`. */
 typedef struct { uint32_t above; const vs_node *wrapper; uint32_t first, last; } looks_look;
-typedef struct { uint32_t look, next; vs_ref ref; } looks_part;         /* a part without its material and layer; its
-                                                                         * node is retained; look: number of its look;
-                                                                         * next: next part of this look */
-typedef struct { uint32_t look; vs_affine placed; vs_ref ref; } looks_step; /* an operand that must still be divided
-                                                                             * into parts; look: look around it; placed:
-                                                                             * placement around it */
+typedef struct { uint32_t look, next; vs_ref ref; } looks_part;         /* A part of an operand without its material
+                                                                         * and layer. look: number of its look; next:
+                                                                         * index of the next part with this look;
+                                                                         * ref: its node, to which this entry holds a
+                                                                         * reference. */
+typedef struct { uint32_t look; vs_affine placed; vs_ref ref; } looks_step; /* An operand, or a node in it, that must
+                                                                             * still be divided into parts. look: number
+                                                                             * of the look around it; placed: product of
+                                                                             * the placements around it. */
 
 #define NO_PART UINT32_MAX
 
@@ -31,7 +34,8 @@ typedef struct {
   vs_store *store;
   vs_error *error;
   unsigned char *looked; /* looked[i]: whether old node i contains a material or layer */
-  vs_nodemap made;        /* new nodes that contain a material or layer, except these wrappers themselves */
+  vs_nodemap made;        /* new nodes that contain a material or layer; the materials and layers themselves are not
+                           * entered */
   looks_look *looks;
   size_t look_count, look_room;
   looks_part *parts;
@@ -48,8 +52,8 @@ static bool had_look(const vs_rewrite *w, const vs_node *old) {
   return vs_order_has(&w->order, old) && ((const looks_state *)w->state)->looked[vs_order_of(old)];
 }
 
-static bool is_outlined(const vs_node *n) { /* Returns true if n is an outline that is computed from other outlines
-                                             * (offset, hull, filled curve). */
+static bool is_outlined(const vs_node *n) { /* Returns true if n is an outline that is computed from other outlines: an
+                                             * offset, a hull or a filled curve. */
   return n->kind == VS_OFFSET || n->kind == VS_REGION || (n->kind == VS_HULL && n->class_ == VS_REGION_CLASS);
 }
 
@@ -81,8 +85,8 @@ static bool same_wrapper(const vs_node *a, const vs_node *b) {
                              : VS_AS(material, a)->material == VS_AS(material, b)->material;
 }
 
-/* Sets *out to the number of the look that consists of this wrapper inside the look `above`. Adds the look if it is
- * new. Returns false if memory is out. */
+/* Sets *out to the number of the look that has this wrapper inside the look number `above`. Adds the look if it is new.
+ * Returns false if memory is out. */
 static bool find_look(looks_state *s, uint32_t above, const vs_node *wrapper, uint32_t *out) {
   for (size_t i = s->look_count; i-- > 1;)
     if (s->looks[i].above == above && same_wrapper(s->looks[i].wrapper, wrapper)) return *out = (uint32_t)i, true;
@@ -97,7 +101,8 @@ static bool add_step(looks_state *s, looks_step step) {
   return true;
 }
 
-/* Adds the part of `at`, in its placement, after the other parts with its look. Returns false if memory is out. */
+/* Adds the part of `at`, with its placement, to the end of the list of parts with its look. Returns false if memory is
+ * out. */
 static bool add_part(looks_state *s, const looks_step *at) {
   vs_ref ref = at->ref;
   bool still = vs_affine_is_translation(&at->placed) && at->placed.m[0][3] == 0 && at->placed.m[1][3] == 0 &&
@@ -120,8 +125,8 @@ static void forget_parts(looks_state *s) {
   s->part_count = s->step_count = 0;
 }
 
-/* Divides an operand into parts, each with its material and layer, in order. Returns false if memory is out or the run
- * is interrupted. */
+/* Divides an operand into its parts, in order, and finds the look (material and layer) of each. Returns false if memory
+ * is out or the run is interrupted. */
 static bool take_apart(looks_state *s, vs_ref operand) {
   forget_parts(s);
   s->look_count = 0;
@@ -146,10 +151,10 @@ static bool take_apart(looks_state *s, vs_ref operand) {
   return ok;
 }
 
-/* ---- sets with a single look ---- */
+/* ---- sets that have one look ---- */
 
-/* Returns node n inside the materials and layers of a look, and takes over the reference to n. Returns NULL if memory
- * is out, or if n is NULL. */
+/* Returns node n inside the materials and layers of the given look. Takes over the caller's reference to n. Returns
+ * NULL if memory is out, or if n is NULL. */
 static vs_node *within_look(looks_state *s, uint32_t look, vs_node *n, const vs_origin *origin) {
   for (; n && look; look = s->looks[look].above) {
     const vs_node *wrapper = s->looks[look].wrapper;
@@ -160,8 +165,7 @@ static vs_node *within_look(looks_state *s, uint32_t look, vs_node *n, const vs_
   return n;
 }
 
-/* Returns the part with this look, or the union of the parts if there are several. Sets *origin to the origin of the
- * first part. */
+/* Returns the part with this look, or if there are several, their union. *origin: origin of the first part. */
 static vs_node *parts_of(looks_state *s, const looks_look *look, const vs_origin **origin) {
   size_t count = 0;
   for (uint32_t i = look->first; i != NO_PART; i = s->parts[i].next) count++;
@@ -177,7 +181,8 @@ static vs_node *parts_of(looks_state *s, const looks_look *look, const vs_origin
   return made;
 }
 
-/* Returns the set n of these kids, inside a look. kids[which] is replaced by those of its parts that have this look. */
+/* Returns the set n with the operands kids, inside the given look. Of operand kids[which], it has only the parts with
+ * this look. */
 static vs_node *set_of_look(looks_state *s, const vs_node *n, vs_ref *kids, uint32_t which, uint32_t look,
                             const vs_origin **origin) {
   vs_node *operand = parts_of(s, &s->looks[look], origin);
@@ -188,7 +193,8 @@ static vs_node *set_of_look(looks_state *s, const vs_node *n, vs_ref *kids, uint
   return within_look(s, look, made, *origin);
 }
 
-/* Returns the set n of these kids, divided into a set for each look of the parts of kids[which]. */
+/* Divides the set n into one set for each look of the parts of kids[which]. Returns the union of these sets, or the
+ * only one. */
 static vs_node *spread(looks_state *s, const vs_node *n, const vs_ref *kids, uint32_t which) {
   size_t room = n->child_count, used = 0;
   vs_ref *own = vs_store_realloc(s->store, NULL, 0, room * sizeof *own);
@@ -214,14 +220,14 @@ static vs_node *spread(looks_state *s, const vs_node *n, const vs_ref *kids, uin
 
 /* ---- the pass ---- */
 
-/* Returns the index of the operand whose material and layer the result of the set has. */
+/* Returns the index of the operand whose material and layer apply to the result of the set. */
 static uint32_t operand_with_look(const looks_state *s, const vs_node *n, const vs_ref *kids) {
   uint32_t i = 0;
   while (n->kind == VS_INTERSECTION && i + 1 < n->child_count && !has_look(s, kids[i].node)) i++;
   return i;
 }
 
-/* Rewrites a difference or intersection n of regions that contain materials or layers, so that these are outside.
+/* Rewrites a difference or intersection n of regions that contain materials or layers, so that these are outside of it.
  * Returns NULL on failure. */
 static vs_node *set_with_looks(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
   looks_state *s = w->state;
@@ -233,7 +239,7 @@ static vs_node *set_with_looks(vs_rewrite *w, const vs_node *n, const vs_ref *ki
   return made;
 }
 
-/* Returns outline n, which is computed from other outlines, inside the material and layer of the first of these. */
+/* Returns n, an outline that is computed from other outlines, inside the material and layer of the first of these. */
 static vs_node *outline_with_look(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
   looks_state *s = w->state;
   vs_node *made = vs_rewrite_keep(w, n, kids);
@@ -259,7 +265,7 @@ static vs_node *looks_node(vs_rewrite *w, const vs_node *n, const vs_ref *kids, 
   return made;
 }
 
-/* Returns true if materials or layers must be moved out of some node of the drawing. */
+/* Returns true if the drawing has a node out of which materials or layers must be moved. */
 static bool find_looks(vs_rewrite *w, looks_state *s) {
   bool any = false;
   for (size_t k = 0; k < w->order.count; k++) {

@@ -73,8 +73,8 @@ vs_node *vs_fold_primitive(vs_rewrite *w, const vs_affine *a, const vs_node *n, 
       d.v = vs_affine_vector(a, d.v);
       return vs_node_new(w->store, VS_RAY, &d, NULL, 0);
     }
-    case VS_SPLINE: { /* The parameter of the spline is the length of chords between its points. Therefore points after
-                       * a similarity give a similar curve. */
+    case VS_SPLINE: { /* The parameter of a spline is the length of the chords between its points. Therefore points
+                       * mapped by a similarity give the mapped curve. */
       VS_MOVED(spline, f.even);
       vs_points *points = vs_shape_map_points(w->store, a, d.points);
       d.points = points;

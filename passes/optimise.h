@@ -1,5 +1,5 @@
-/* Declares the run of the passes over a drawing before it is written. It provides bounds, which the layer of the passes
- * cannot compute. */
+/* Declares the run of all passes over a drawing before it is written. It supplies the passes with bounds of nodes,
+ * which passes.c itself cannot compute. */
 #ifndef VS_PASSES_OPTIMISE_H
 #define VS_PASSES_OPTIMISE_H
 
@@ -11,7 +11,7 @@
 bool vs_scene_optimise(vs_scene *scene, unsigned passes, vs_pass_stats *stats, const vs_pass_notes *notes,
                        vs_error *e);
 /* Converts the scene's large sets to trees of boxes (group.c), for a format whose program tests every part of a set for
- * every ray. */
+ * every ray. Returns false, with e set, on failure. */
 bool vs_scene_group(vs_scene *scene, vs_error *e);
 
 #endif

@@ -18,7 +18,7 @@ const vs_pass_info *vs_pass_get(vs_pass_kind pass) {
 /* ---- counting ---- */
 
 static double order_commands(const vs_order *o, size_t drawn) {
-  /* a drawing of several objects counts as their union, which has one command less than objects */
+  /* a drawing of several objects counts as their union, whose commands are one less than its objects */
   double commands = (drawn > 1 ? (double)(drawn - 1) : 0) + (double)o->lone;
   for (size_t i = 0; i < o->count; i++) {
     const vs_node *n = o->at[i].node;
@@ -42,8 +42,8 @@ static double order_commands(const vs_order *o, size_t drawn) {
 
 /* ---- all passes ---- */
 
-/* Runs pass k over the drawing. First calls its begin function, then rewrites every node, unless begin found that
- * nothing would change. At last calls its end function. */
+/* Runs pass k over the drawing: calls its begin function, then rewrites every node, and calls its end function. Omits
+ * the rewriting if the begin function has found that nothing would change. */
 static bool pass_once(vs_pass_kind k, vs_rewrite *w, vs_ref *refs, size_t count) {
   static const struct { vs_rewrite_fn *node; bool (*begin)(vs_rewrite *w); void (*end)(vs_rewrite *w); } passes[] = {
 #define VS_PASS(upper, lower, begin, end, doc) { vs_pass_##lower, begin, end },
@@ -76,12 +76,12 @@ bool vs_passes_run(vs_store *s, vs_ref *refs, size_t count, const vs_pass_option
     vs_rewrite w = { .store = s, .options = options, .error = e, .order = order };
     ok = pass_once((vs_pass_kind)k, &w, work, count);
     if (stats) stats->changed[k] += w.changed;
-    /* if no pass has changed the drawing, the order of its nodes from the beginning is still valid */
+    /* if no pass has changed the drawing, the first order of its nodes is still valid */
     if (ok && w.changed) ok = vs_order_make(&order, work, count, e);
     if (k == VS_PASS_FOLD && w.nests && !nests && options->passes >> VS_PASS_FLATTEN & 1) {
       nests = true;
-      k = VS_PASS_FLATTEN - 1; /* the pass fold removed a wrapper between two sets, so the passes run again from flatten
-                                * on */
+      k = VS_PASS_FLATTEN - 1; /* the pass fold has removed a wrapper between two sets; continues with flatten, which
+                                * can merge these sets now */
     }
   }
   if (ok && stats) stats->commands_after = order_commands(&order, count);

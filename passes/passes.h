@@ -15,7 +15,7 @@ typedef enum {
 typedef struct { const char *name, *doc; } vs_pass_info;
 const vs_pass_info *vs_pass_get(vs_pass_kind pass);
 
-/* The receiver of the warnings that the passes issue. */
+/* A receiver of the warnings that the passes issue: a function and its context. */
 typedef struct {
   void (*warn)(void *context, const vs_origin *origin, const char *message);
   void *context;
@@ -23,21 +23,21 @@ typedef struct {
 
 typedef struct {
   unsigned passes; /* set of passes to run: bit k means vs_pass_kind k */
-  /* Computes bounds that contain a node, in its own coordinates. NULL: the pass prune removes only empty nodes. Nodes
-   * may be freed at the end of the run, so context must then forget them. */
+  /* Computes bounds that contain a node, in the node's own coordinates. NULL: the pass prune removes only empty nodes.
+   * Nodes may be freed at the end of the run, so `context` must then forget their addresses. */
   bool (*bounds)(void *context, const vs_node *n, vs_bounds *out, vs_error *e);
   void *context;
   const vs_pass_notes *notes; /* receiver of warnings; NULL: the passes give no warnings */
 } vs_pass_options;
 
 typedef struct {
-  double commands_before, commands_after;            /* numbers of commands (units of a target's text) before and after
+  double commands_before, commands_after;            /* number of commands (units of a target's text) before and after
                                                       * the passes; see order_commands in passes.c */
   size_t changed[VS_PASS_COUNT];                     /* changed[k]: number of nodes that pass k rewrote */
 } vs_pass_stats;
 
-/* Runs the passes over the references in refs, in place: retains new nodes and releases old nodes. On failure the
- * references are unchanged. stats may be NULL. */
+/* Runs the passes over refs, and replaces their nodes: adds references to new nodes and releases old ones. On failure,
+ * returns false, and refs is unchanged. stats may be NULL. */
 bool vs_passes_run(vs_store *s, vs_ref *refs, size_t count, const vs_pass_options *options, vs_pass_stats *stats,
                    vs_error *e);
 

@@ -1,7 +1,7 @@
 /* Rewrites a drawing: visits every distinct node once, children first, and remembers results. */
 #include "passes/rewrite.h"
 
-/* The new node that replaces an old node, and its origin. If origin is NULL, each reference keeps its own origin. */
+/* The new node for an old node, and its origin. If origin is NULL, each reference to it keeps its own origin. */
 typedef struct { vs_node *node; const vs_origin *origin; } vs_rewritten;
 
 bool vs_rewrite_lone(const vs_rewrite *w, const vs_node *old) { return vs_order_uses(&w->order, old) == 1; }
@@ -17,8 +17,8 @@ vs_node *vs_rewrite_keep(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
 }
 
 static vs_ref rewritten_ref(const vs_rewrite *w, const vs_rewritten *results, vs_ref old) {
-  if (!vs_order_has(&w->order, old.node)) return old; /* a leaf with a single reference has no number, and passes do not
-                                                       * change it */
+  if (!vs_order_has(&w->order, old.node)) return old; /* a leaf with a single reference has no number in the order, and
+                                                       * passes do not change it */
   const vs_rewritten *new = &results[vs_order_of(old.node)];
   return (vs_ref){ new->node, new->origin ? new->origin : old.origin };
 }
@@ -34,7 +34,7 @@ static bool rewrite_node(vs_rewrite *w, vs_rewrite_fn *fn, size_t index, vs_rewr
   results[index].origin = NULL;
   w->at = at.origin;
   results[index].node = fn(w, at.node, kids, &results[index].origin);
-  if (w->order.note[index].uses > 1) results[index].origin = NULL; /* several references refer to the new node, and each
+  if (w->order.note[index].uses > 1) results[index].origin = NULL; /* the new node has several references, each of which
                                                                     * keeps its own origin */
   if (results[index].node) return true;
   if (e->kind == VS_ERROR_NONE) vs_error_memory(e, at.origin);

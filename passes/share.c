@@ -36,7 +36,7 @@ typedef struct { uint64_t a, b; } vs_share_key;
 typedef struct {
   vs_share_key key;
   vs_vec3 anchor;
-  double cost;        /* number of commands of a copy of the node's shape; a part of it that is a template in any case
+  double cost;        /* number of commands of one copy of the node's shape; a part that becomes a template in any case
                        * counts as one reference */
   bool alias;         /* true if the node is only a placement of its child, or a set of one member */
   bool wanted;        /* true if the node's key (hash of its shape) must be computed */
@@ -45,35 +45,39 @@ typedef struct {
   size_t copies;      /* number of nodes that have this entry's key; valid in the first entry with the key */
   double named;       /* number of references to all nodes that have this entry's key; valid in the first entry with the
                        * key */
-  size_t turn;        /* Number, from 1, of the map in `turns` by which this shape equals another shape rotated or
-                       * mirrored; 0: none. Valid in the first entry with the key. */
-  vs_node *result;    /* node that replaces the shape, in the first entry with the key; not retained, because the
-                       * rewriting holds a reference */
+  size_t turn;        /* Number, counted from 1, of an element of `turns`: the map by which this shape is another shape
+                       * rotated or mirrored; 0 if there is none. Valid in the first entry with the key. */
+  vs_node *result;    /* new node for this shape, valid in the first entry with the key; not retained, because the
+                       * rewriting holds a reference to it */
 } vs_share_entry;
 typedef struct { size_t head; vs_affine map; } vs_share_turn; /* head: index of the first entry of the other shape; map:
                                                                * map from that shape to this shape */
-typedef struct { double step, first; } vs_share_step; /* step: number of a step of rounded numbers; first: first number
-                                                       * in it that was hashed; NaN: the slot is free */
-/* The key and anchor of a child, which its parent needs. Both are stored, except for leaves with a single reference:
- * there both are computed on request. The key of a leaf with many points is cached. */
+typedef struct { double step, first; } vs_share_step; /* A step of rounded numbers: its number, and the first number in
+                                                       * this step that was hashed. first is NaN if the slot of the hash
+                                                       * table is free. */
+/* The key and the anchor (point that moves with it) of a child, for its parent. They are stored for each numbered node.
+ * For a leaf with a single reference they are computed when needed; only its key is cached, if it has many points. */
 typedef struct { vs_share_key key; vs_vec3 anchor; } vs_share_child;
 typedef struct { const vs_node *node; vs_share_child of; } vs_share_leaf;
 
-enum { SKETCHED = 16 /* points of an array in a first key */, LONG = 1024 /* bytes above which a leaf's key is
-                                                                                     * cached */, LEAVES = 64 };
+enum {
+  SKETCHED = 16, /* number of points of an array that a first key covers */
+  LONG = 1024,   /* number of bytes of a leaf above which its key is cached */
+  LEAVES = 64
+};
 
 typedef struct {
   vs_store *store;
   const vs_order *order;
-  vs_share_leaf leaves[LEAVES]; /* cache of the keys of leaves with many points, by hash; each slot contains the
-                                 * latest */
-  bool sketches, sketched; /* sketches: true if keys currently cover only some points of arrays; sketched: true if an
+  vs_share_leaf leaves[LEAVES]; /* cache of the keys of leaves with many points, indexed by hash; a slot contains the
+                                 * leaf that was entered last */
+  bool sketches, sketched; /* sketches: true while keys cover only some points of each array; sketched: true if some
                             * array had more points */
   vs_share_entry *at; /* at[i]: entry of the node with the number i */
   size_t count, room;
   double quantum;
-  vs_share_step *steps; /* Hash table of steps of rounded numbers. A step is a multiple of the quantum, and stores the
-                         * first number in it, in quanta. */
+  vs_share_step *steps; /* hash table of steps: a number in quanta, rounded down, is in a step; the step's entry has the
+                         * first number in it that was hashed */
   size_t step_count, step_room;
   vs_share_turn *turns;
   size_t turn_count, turn_room;
@@ -108,13 +112,15 @@ static bool share_grow(vs_share *s) {
   return true;
 }
 
-/* Returns the number that represents x in hashes; both are in quanta. It is the nearest earlier number in x's step, or
- * within half a quantum beside the step. If there is none, it is x, which then represents its step. */
+/* Returns the number that is hashed instead of x, so that nearly equal numbers have equal hashes; both are in quanta.
+ * It is the nearest earlier number in the step of x, or at most half a quantum away in a neighbouring step. If there is
+ * none, it is x itself, which is entered for its step. */
 static double share_snap(vs_share *s, double x) {
   if (!isfinite(x) || s->starved) return 0;
   double step = floor(x), best = (double)NAN, reach = 1;
-  if (s->step_room && share_find(s, step)->first == x) return x; /* Nearly all numbers are equal to an earlier number,
-                                                                  * because models repeat their numbers. */
+  if (s->step_room && share_find(s, step)->first == x) return x; /* Nearly always, x equals the number that was
+                                                                  * entered for its step, because models repeat their
+                                                                  * numbers. */
   for (int side = -1; side <= 1 && s->step_room; side++) {
     double first = share_find(s, step + side)->first; /* if a slot is free, `first` is NaN, and the comparisons below
                                                        * are false */
@@ -147,8 +153,9 @@ static void share_mix_real(vs_share *s, vs_share_key *k, double x) {
     share_mix(k, vs_hash_real(7, x));
     return;
   }
-  if (fabs(mantissa) > ldexp(1, 40) - 0.5) mantissa /= 2, exponent++; /* a number just below a power of two is rounded
-                                                                       * to that power */
+  if (fabs(mantissa) > ldexp(1, 40) - 0.5) mantissa /= 2, exponent++; /* a number just below a power of two would round
+                                                                       * to a larger mantissa, so the next exponent is
+                                                                       * used */
   share_mix(k, (uint64_t)(int64_t)exponent);
   share_mix_place(s, k, mantissa, 1);
 }
@@ -159,11 +166,12 @@ static vs_share_child share_of(vs_share *s, const vs_node *n);
 
 /* Returns the point of n that moves with it: its first point, or the anchor of its first child. */
 static vs_vec3 share_anchor(vs_share *s, const vs_node *n, const vs_kind_info *info) {
-  /* the anchor of a sweep (the point that moves with it) is that of its path */
+  /* a sweep has the anchor (point that moves with it) of its path */
   if (n->kind == VS_SWEEP && n->child_count > 1) return share_of(s, n->children[1].node).anchor;
   if (n->kind == VS_TRANSFORM)
     return vs_affine_point(&VS_AS(transform, n)->matrix, share_of(s, n->children[0].node).anchor);
-  if (n->kind == VS_NATIVE) return vs_v3(0, 0, 0); /* native text for a format cannot be moved */
+  if (n->kind == VS_NATIVE) return vs_v3(0, 0, 0); /* native text for a format cannot be moved, so it has no anchor of
+                                                    * its own */
   for (size_t i = 0; n->kind != VS_SWEEP && i < info->field_count; i++) {
     const void *at = (const char *)vs_node_data(n) + info->fields[i].offset;
     if (info->fields[i].type == VS_FIELD_point) return *(const vs_vec3 *)at;
@@ -174,13 +182,14 @@ static vs_vec3 share_anchor(vs_share *s, const vs_node *n, const vs_kind_info *i
 }
 
 static void share_mix_fields(vs_share *s, vs_share_key *k, const vs_node *n, const vs_kind_info *info, vs_vec3 anchor) {
-  /* the positions in the profile and base of a sweep are hashed as they are, not relative to the anchor */
+  /* positions in the profile of a sweep, and its base, are hashed unchanged, because they do not move with the
+   * anchor */
   vs_vec3 from = n->kind == VS_SWEEP ? vs_v3(0, 0, 0) : anchor;
   for (size_t i = 0; i < info->field_count; i++) {
     const void *at = (const char *)vs_node_data(n) + info->fields[i].offset;
     switch (info->fields[i].type) {
       case VS_FIELD_real:
-        /* the lowest height of a height field moves with the field as its other heights do */
+        /* the lowest height of a height field moves with the field, as its other heights do */
         if (n->kind == VS_HEIGHT_FIELD) share_mix_place(s, k, *(const double *)at - from.z, s->quantum);
         else share_mix_real(s, k, *(const double *)at);
         break;
@@ -231,8 +240,8 @@ static void share_find_key(vs_share *s, const vs_node *n, vs_share_key *key, vs_
   share_mix(key, vs_hash_bytes(9, info->name, strlen(info->name)));
   share_mix(key, n->child_count);
   share_mix_fields(s, key, n, info, *anchor);
-  if (n->kind == VS_NATIVE) share_mix(key, n->hash); /* native text for a format is shared only with equal text, not
-                                                      * with moved text */
+  if (n->kind == VS_NATIVE) share_mix(key, n->hash); /* native text for a format is shared only with equal text, because
+                                                      * it cannot be moved */
   for (uint32_t i = 0; i < n->child_count; i++) {
     vs_share_child child = share_of(s, n->children[i].node);
     share_mix(key, child.key.a);
@@ -250,13 +259,13 @@ static vs_share_child share_of(vs_share *s, const vs_node *n) {
   }
   vs_share_leaf lone, *held = vs_node_bytes(n) > LONG ? &s->leaves[n->hash % LEAVES] : &lone;
   if (held != &lone && held->node && (held->node == n || vs_node_equal(held->node, n, NULL))) return held->of;
-  share_find_key(s, n, &held->of.key, &held->of.anchor); /* n is a leaf, so this call recurses no deeper */
+  share_find_key(s, n, &held->of.key, &held->of.anchor); /* n is a leaf, so this call does not recurse further */
   held->node = n;
   return held->of;
 }
 
-/* Fills in the entry of node n except its key. Its cost is that of a copy without templates, the highest possible. The
- * entries of the children must be filled in before. */
+/* Fills in the entry of node n, except its key. Its cost is the highest possible: that of a copy without templates. The
+ * children's entries must have been filled in before. */
 static void share_enter(vs_share *s, const vs_node *n, bool inner) {
   bool set = vs_kind_get((vs_kind)n->kind)->level == VS_LEVEL_OPERATION;
   vs_share_entry x = { .cost = 1, .group = s->count, .alias = share_is_alias(n) };
@@ -266,11 +275,11 @@ static void share_enter(vs_share *s, const vs_node *n, bool inner) {
     const vs_node *child = n->children[i].node;
     x.cost += vs_order_has(s->order, child) ? s->at[vs_order_of(child)].cost : 1;
   }
-  if (x.cost > 1e15) x.cost = 1e15; /* limits the cost, because the number of a DAG's paths may overflow */
+  if (x.cost > 1e15) x.cost = 1e15; /* limits the cost, because the number of paths through a DAG may overflow it */
   s->at[s->count++] = x;
 }
 
-/* Returns true if a template of the node would save commands, if there are enough copies of it. */
+/* Returns true if the node is large enough that a template of it saves commands, given enough copies. */
 static bool share_is_worth(const vs_share_entry *x) { return !x->alias && x->cost > 2; }
 
 static int share_by_form(const void *p, const void *q) {
@@ -278,8 +287,8 @@ static int share_by_form(const void *p, const void *q) {
   return x < y ? -1 : x > y;
 }
 
-/* Marks the nodes whose form (hash without numbers and places) occurs several times, and all nodes below them. Sets
- * *any to true if there are any. Returns false if memory is out or the run is interrupted. */
+/* Marks the nodes whose form (hash without numbers and places) another node has, too, and all nodes below them. *any:
+ * true if there are any. Returns false if memory is out or the run is interrupted. */
 static bool share_want(vs_share *s, bool *any, vs_error *e) {
   const vs_order *o = s->order;
   size_t count = 0;
@@ -343,8 +352,9 @@ static bool share_pays(const vs_share_entry *first) {
   return (copies - 1) * first->cost > 2 * copies;
 }
 
-/* Returns the number of commands of a copy of the node at `index`. named: number of references to the node's shape. If
- * a part has more references than that, it will be a template in any case. Only references to it then count. */
+/* Returns the number of commands of a copy of the node at `index`. named: number of references to the node's shape.
+ * A part with more references than that becomes a template in any case, so it counts only as a reference to the
+ * template. */
 static double share_cost(const vs_share *s, size_t index, double named) {
   const vs_node *n = s->order->at[index].node;
   double cost = 1;
@@ -361,7 +371,7 @@ static double share_cost(const vs_share *s, size_t index, double named) {
     bool template = first->named > named && (share_pays(first) || first->named > (double)first->copies);
     cost += template ? fmin(child->cost, first->copies > 1 ? 2 : 1) : child->cost;
   }
-  return fmin(cost, 1e15); /* limits the cost, because the number of a DAG's paths may overflow */
+  return fmin(cost, 1e15); /* limits the cost, because the number of paths through a DAG may overflow it */
 }
 
 static bool share_group(vs_share *s, vs_error *e) {
@@ -383,8 +393,8 @@ static bool share_group(vs_share *s, vs_error *e) {
   return ok;
 }
 
-/* Computes the keys of all nodes that need one. again: computes complete keys, only of nodes whose first key (of some
- * points) equals that of another node. */
+/* Computes the keys of all nodes that need one. again: computes complete keys, only for nodes whose first key (which
+ * covers some of the points) equals that of another node. Returns false if memory is out or the run is interrupted. */
 static bool share_keys(vs_share *s, bool again, vs_error *e) {
   const vs_order *o = s->order;
   for (size_t i = 0; i < LEAVES; i++) s->leaves[i].node = NULL;
@@ -396,7 +406,8 @@ static bool share_keys(vs_share *s, bool again, vs_error *e) {
   return share_group(s, e);
 }
 
-/* Marks the nodes whose first key (of some points) equals that of another node, and all nodes below them. */
+/* Marks the nodes whose first key (which covers some of the points) equals that of another node, and all nodes below
+ * them. */
 static void share_doubt(vs_share *s) {
   const vs_order *o = s->order;
   for (size_t i = 0; i < s->count; i++)
@@ -422,9 +433,9 @@ static bool share_add_turn(vs_share *s, size_t index, size_t head, const vs_affi
   return true;
 }
 
-/* Merges groups of nodes whose shapes are equal up to rotation and reflection. The pass tries the first HEADS_MOST
- * shapes of each form. It limits the number of points that it compares for each node, so the cost does not grow with
- * the square of the number of trees. */
+/* Merges groups of nodes whose shapes are equal up to rotation and reflection. Compares each shape with the first
+ * HEADS_MOST shapes of its form, and a limited number of points, so that the cost does not grow with the square of the
+ * number of shapes. Returns false if memory is out or the run is interrupted. */
 static bool share_turns(vs_share *s, vs_error *e) {
   enum { HEADS_MOST = 6 };
   size_t count = 0, heads[HEADS_MOST], head_count = 0, work = 0, most = 100000 + 50 * s->count;

@@ -1,5 +1,5 @@
-/* Removes nodes of level SUGAR, such as ghosts and highlights. A walk collects the nodes to show in addition to the
- * drawing. Then a pass removes the wrappers.
+/* Removes nodes of level SUGAR, such as ghosts and highlights. A walk first collects the nodes that are to be shown in
+ * addition to the drawing. Then a pass replaces the remaining nodes of this level by their children.
  *
  * The walk follows every path to such a node, because each placement counts, and visits nothing else. If a drawing
  * shares a ghost so often that there would be more than MARKS_MOST ghosts, it keeps the first MARKS_MOST. */
@@ -17,7 +17,7 @@ typedef struct {
   uint32_t next;
   vs_affine placed;
   const vs_material *material; /* innermost material on the path to the current node, or NULL */
-  bool cut; /* true if the current node is subtracted, or cut by other nodes */
+  bool cut; /* true if the current node is subtracted, or if other nodes cut it */
 } sugar_level;
 
 typedef struct {
@@ -26,7 +26,7 @@ typedef struct {
   vs_error *error;
   sugar_level *levels;
   size_t depth, room;
-  vs_ref *found; /* collected nodes to show in addition to the drawing, each with its own reference */
+  vs_ref *found; /* nodes that are to be shown in addition to the drawing; the walk holds a reference to each */
   size_t count, found_room;
 } sugar_walk;
 
@@ -44,7 +44,8 @@ static bool sugar_push(sugar_walk *w, sugar_level level) {
   return true;
 }
 
-/* Adds a node to show in addition to the drawing, and takes over the reference to it. */
+/* Adds a node that is to be shown in addition to the drawing. Takes over the caller's reference to it. Returns false if
+ * memory is out. */
 static bool sugar_found(sugar_walk *w, vs_node *node, const vs_origin *origin) {
   if (node && w->count == w->found_room) {
     size_t room = w->found_room ? 2 * w->found_room : 16;
@@ -61,8 +62,8 @@ static bool sugar_found(sugar_walk *w, vs_node *node, const vs_origin *origin) {
   return true;
 }
 
-/* Returns the node inside a material and a placement, and takes over the reference to the node. Returns NULL if memory
- * is out, or if the node is NULL. */
+/* Returns the node inside the material and the placement. Takes over the caller's reference to the node. Returns NULL
+ * if memory is out, or if the node is NULL. */
 static vs_node *sugar_around(vs_store *s, vs_node *node, const vs_origin *origin, const vs_material *material,
                               const vs_affine *placed) {
   if (node && material) {
@@ -81,7 +82,7 @@ static vs_node *sugar_around(vs_store *s, vs_node *node, const vs_origin *origin
   return node;
 }
 
-/* ---- removal of paint, for an object shown in a single colour ---- */
+/* ---- removal of materials from an object that is shown in a single colour ---- */
 
 static vs_node *sugar_bare(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
   if (n->kind == VS_GHOST) return vs_node_new(w->store, VS_EMPTY, NULL, NULL, 0);
@@ -100,8 +101,8 @@ static vs_node *sugar_strip(sugar_walk *w, vs_ref ref) {
 
 /* ---- the walk ---- */
 
-/* Changes *placed so that a highlight on a part that is cut away becomes a thousandth smaller. Otherwise its faces
- * would coincide with those of the hole and be partly hidden. */
+/* If a highlighted part is cut away, changes *placed so that its highlight becomes a thousandth smaller. Otherwise the
+ * highlight's faces would coincide with those of the hole, and be partly hidden. */
 static bool sugar_shrink(const sugar_walk *w, const vs_node *n, vs_affine *placed) {
   vs_bounds b;
   if (!vs_node_bounds(n, &b, w->error)) return false;
@@ -119,7 +120,7 @@ static bool sugar_mark(sugar_walk *w, const sugar_level *at, bool ghost) {
   if (w->count >= MARKS_MOST) return true;
   vs_node *bare = sugar_strip(w, child);
   if (!bare) return false;
-  if (how == VS_MARKS_KEEP) { /* the ghost is collected, to be shown in addition to the drawing */
+  if (how == VS_MARKS_KEEP) { /* collects the ghost, which is shown in addition to the drawing */
     vs_node *kept = vs_node_new(w->store, VS_GHOST, NULL, &(vs_ref){ bare, child.origin }, 1);
     vs_node_release(bare);
     if (!kept) return sugar_memory(w);
@@ -136,8 +137,8 @@ static bool sugar_mark(sugar_walk *w, const sugar_level *at, bool ghost) {
   return false;
 }
 
-/* Walks below the drawn object root. If `only` is true, collects the children of each node of kind VS_ONLY, otherwise
- * highlights and ghosts. */
+/* Walks through the nodes below the drawn object `root` and collects nodes: if `only` is true, the children of nodes of
+ * kind VS_ONLY; otherwise highlights and ghosts. */
 static bool sugar_below(sugar_walk *w, vs_ref root, bool only) {
   size_t steps = 0;
   w->depth = 0;
@@ -154,13 +155,13 @@ static bool sugar_below(sugar_walk *w, vs_ref root, bool only) {
         vs_node_retain(inner.node);
         if (!sugar_found(w, sugar_around(w->store, inner.node, inner.origin, at.material, &at.placed), at.ref.origin))
           return false;
-        continue; /* a node of kind VS_ONLY inside another such node has no effect */
+        continue; /* a VS_ONLY node inside another VS_ONLY node has no effect */
       }
       bool ghost = n->kind == VS_GHOST,
            marked = (ghost && w->options->ghosts != VS_MARKS_DROP) ||
                     (n->kind == VS_HIGHLIGHT && top->cut && w->options->highlights == VS_MARKS_PAINT);
       if (!only && marked && !sugar_mark(w, top, ghost)) return false;
-      if (ghost) { /* the children of a ghost are shown with it, and belong to no other object */
+      if (ghost) { /* skips the children of a ghost, which are shown with the ghost and belong to no other object */
         w->depth--;
         continue;
       }
@@ -182,7 +183,7 @@ static bool sugar_below(sugar_walk *w, vs_ref root, bool only) {
 
 /* ---- the pass ---- */
 
-/* Returns true if n is native text for the program of the format that is written. */
+/* Returns true if n is native text for the program whose format is being written. */
 static bool sugar_speaks(const vs_sugar_options *o, const vs_node *n) {
   const char *target = VS_AS(native, n)->target;
   size_t i = 0;
@@ -206,11 +207,12 @@ static vs_node *sugar_node(vs_rewrite *w, const vs_node *n, const vs_ref *kids, 
   return vs_node_retain(kids[0].node);
 }
 
-/* The kinds of nodes that a drawing contains. native: the first native text for the program of the format */
+/* The kinds of SUGAR nodes that a drawing contains. only: true if it contains VS_ONLY nodes; native: the first native
+ * text for the program of the format */
 typedef struct { const vs_sugar_options *options; bool only; vs_ref native; } sugar_kinds;
 
-/* Handles native text for another program if the text has no replacement for this format. Warns that the output lacks
- * it, or fails if the option `strict` is set. */
+/* Handles native text for another program that has no replacement for this format: warns that the output does not
+ * contain it, or fails if the option `strict` is set. */
 static bool sugar_lacks(const sugar_kinds *k, vs_ref ref, vs_error *e) {
   const vs_sugar_options *o = k->options;
   const vs_node *n = ref.node;
@@ -239,7 +241,7 @@ static bool sugar_look(sugar_kinds *k, const vs_scene *scene, vs_error *e) {
   return ok;
 }
 
-/* Makes the scene draw the collected nodes, and takes over their references. */
+/* Replaces the scene's drawn objects by the collected nodes, and takes over the references to these. */
 static void sugar_take(vs_scene *scene, sugar_walk *w) {
   for (size_t i = 0; i < scene->drawn_count; i++) vs_node_release(scene->drawn[i].node);
   vs_store_realloc(scene->store, scene->drawn, scene->drawn_room * sizeof *scene->drawn, 0);
@@ -261,7 +263,7 @@ bool vs_scene_sugar(vs_scene *scene, const vs_sugar_options *options, vs_error *
     vs_job_warn(options->job, kinds.native.origin,
                 "native: text for other programs is switched off here; the object of #:otherwise is drawn");
   for (size_t i = 0; ok && kinds.only && i < scene->drawn_count; i++) ok = sugar_below(&w, scene->drawn[i], true);
-  if (ok && w.count) { /* a node of kind VS_ONLY inside a ghost has no effect */
+  if (ok && w.count) { /* a VS_ONLY node inside a ghost has no effect */
     vs_job_warn(options->job, w.found[0].origin, "only: nothing else of the drawing is shown");
     sugar_take(scene, &w);
   }

@@ -1,7 +1,7 @@
 /* Declares the removal of the kinds of level SUGAR before a drawing is written: only, ghost, highlight, native, and
  * kinds of define-primitive.
  *
- *   only       the drawing becomes the children of the `only` nodes, in their places and paint
+ *   only       the drawing becomes the children of the `only` nodes, with their placements and materials
  *   ghost      belongs to no solid; a format that shows previews gets it beside the drawing
  *   highlight  becomes its child; a format that shows previews also gets it beside the drawing, where it is cut away
  *   native     stays for its own program; for all others it becomes its child
@@ -14,7 +14,7 @@
 #include "model/scene.h"
 
 typedef enum {
-  VS_MARKS_DROP,  /* shows neither ghosts nor the cut-away parts of highlights; for formats of solids */
+  VS_MARKS_DROP,  /* removes ghosts, and shows no highlight where its part is cut away; for formats of solids */
   VS_MARKS_PAINT, /* adds highlights in translucent red and ghosts in grey to the drawing; for formats that show
                    * previews */
   VS_MARKS_KEEP   /* keeps highlights in place, and adds ghosts to the drawing; for programs that can mark objects as
@@ -23,9 +23,9 @@ typedef enum {
 
 typedef struct {
   vs_mark_style highlights, ghosts;
-  const char *target; /* program of targets.def whose native text is written; NULL: no native text is written */
-  const char *output; /* name of the format in messages, such as ".stl"; NULL: no warning about native text without an
-                       * alternative */
+  const char *target; /* program of targets.def whose native text is written; NULL if no native text is written */
+  const char *output; /* name of the format for messages, such as ".stl"; NULL: no warnings about native text without a
+                       * replacement */
   bool keeps_text;    /* true if native text that has no replacement for other formats is kept, so that it can be
                        * counted */
   bool strict;        /* true if native text without a replacement for this format causes an error instead of a

@@ -26,7 +26,7 @@ typedef struct {
   turn_pair *pairs;
   size_t pair_count, pair_room;
   size_t steps_taken; /* number of nodes visited so far, which is limited */
-  vs_error *error;    /* error, set if memory is out or the run is interrupted */
+  vs_error *error;    /* error that is set if memory is out or the run is interrupted */
 } turner;
 
 static bool turn_push(turner *t, const vs_node *a, const vs_affine *to_a, const vs_node *b, const vs_affine *to_b) {
@@ -75,13 +75,14 @@ static bool turn_is_rigid(const vs_affine *a) {
   return vs_affine_even(a, &k) && fabs(k - 1) < 1e-12;
 }
 
-/* Compares the fields of two nodes, with positions relative to each node's first point. Adds the frames of both nodes
- * to the pairs of points. */
+/* Compares the fields of two nodes, with positions relative to each node's first point. If they are equal, adds the
+ * origins and axes of both nodes' frames to the pairs of points. */
 static bool turn_frame(turner *t, const turn_step *x) {
   const vs_kind_info *info = vs_kind_get((vs_kind)x->a->kind);
   vs_vec3 at[2] = { { 0, 0, 0 }, { 0, 0, 0 } };
-  bool found = false, ok = x->a->kind != VS_HEIGHT_FIELD; /* the lowest height of a height field is a position along z,
-                                                           * although its field type is a plain number */
+  bool found = false, ok = x->a->kind != VS_HEIGHT_FIELD; /* does not compare height fields: the lowest height is a
+                                                           * position along z, although the type of its field is a plain
+                                                           * number */
   for (size_t i = 0; ok && i < info->field_count; i++) {
     const char *p = (const char *)vs_node_data(x->a) + info->fields[i].offset,
                *q = (const char *)vs_node_data(x->b) + info->fields[i].offset;
@@ -128,8 +129,8 @@ static bool turn_frame(turner *t, const turn_step *x) {
 
 #define TURN_BOTH(lower) const struct vs_##lower *a = VS_AS(lower, x->a), *b = VS_AS(lower, x->b)
 
-/* Compares two primitives of one kind, and adds pairs of points that move with them. Only extruded polygons have
- * children here. */
+/* Compares two primitives of one kind, and adds pairs of points that move with the primitives. Only extruded polygons
+ * have children here. */
 static bool turn_leaf(turner *t, const turn_step *x) {
   bool rigid = turn_is_rigid(&x->to_a) && turn_is_rigid(&x->to_b);
   if (x->a->kind == VS_SPHERE && rigid) {
@@ -183,8 +184,8 @@ static bool turn_leaf(turner *t, const turn_step *x) {
 
 enum { TURN_WORK = 64 /* TURN_WORK: estimated work for a node, in the unit of vs_store_going (about a nanosecond) */ };
 
-/* Descends from *at through placements and sets of a single member to the shape below. Multiplies *to by the
- * placements. Returns false if interrupted. */
+/* Replaces *at by the shape inside its placements and sets of a single member. Multiplies *to by the placements.
+ * Returns false if interrupted. */
 static bool turn_strip(turner *t, const vs_node **at, vs_affine *to) {
   const vs_node *n = *at;
   for (;; t->steps_taken++) {
@@ -213,21 +214,21 @@ static bool turn_walk(turner *t) {
   return true;
 }
 
-/* Returns the index of the pair of points that is farthest from the line through o along the unit vector u. Sets
- * *distance. */
+/* Returns the index of the pair whose first point is farthest from the line through o along the unit vector u.
+ * *distance: this distance. */
 static size_t turn_farthest(const turner *t, vs_vec3 o, vs_vec3 u, double *distance) {
   size_t best = 0;
   *distance = -1;
   for (size_t i = 0; i < t->pair_count; i++) {
     double d = vs_v3_length(vs_v3_cross(u, vs_v3_sub(t->pairs[i].a, o)));
-    if (d > *distance * (1 + 1e-9)) *distance = d, best = i; /* Of almost equal distances the first is chosen, so that
-                                                              * the result does not depend on rounding errors. */
+    if (d > *distance * (1 + 1e-9)) *distance = d, best = i; /* Of several almost equal distances, chooses the first, so
+                                                              * that the result does not depend on rounding errors. */
   }
   return best;
 }
 
-/* Finds the rigid map that maps the first point of each pair to the second, within the tolerance. Returns false if
- * there is none. */
+/* Finds the rigid map that maps the first point of every pair to the second point, within the tolerance. Returns false
+ * if there is none. */
 static bool turn_solve(const turner *t, vs_affine *turn) {
   const turn_pair *p = t->pairs;
   if (t->pair_count < 2) return false;
@@ -246,7 +247,7 @@ static bool turn_solve(const turner *t, vs_affine *turn) {
   if (across > ldexp(most, -20)) {
     frame[0][1] = vs_v3_sub(p[two].a, p[0].a);
     frame[1][1] = vs_v3_sub(p[two].b, p[0].b);
-  } else { /* all points are on a line, so any rotation about it is allowed */
+  } else { /* all points are on a line, so any rotation about this line is possible */
     for (int k = 0; k < 2; k++) frame[k][1] = fabs(frame[k][0].z) < 0.9 ? vs_v3(0, 0, 1) : vs_v3(1, 0, 0);
   }
   for (int k = 0; k < 2; k++) {
@@ -267,7 +268,7 @@ static bool turn_solve(const turner *t, vs_affine *turn) {
     vs_vec3 row =
         vs_v3_add(vs_v3_add(vs_v3_scale(frame[0][0], *x), vs_v3_scale(frame[0][1], *y)), vs_v3_scale(frame[0][2], *z));
     double entries[3] = { row.x, row.y, row.z };
-    /* Entries of the map that are nearly whole are rounded, so that quarter turns are exact. */
+    /* Entries of the map that are nearly whole numbers are rounded, so that quarter turns are exact. */
     for (int j = 0; j < 3; j++)
       turn->m[i][j] = fabs(entries[j] - round(entries[j])) < 1e-12 ? round(entries[j]) + 0.0 : entries[j];
     turn->m[i][3] = 0;
