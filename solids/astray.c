@@ -1,9 +1,9 @@
 /* Compares the mesh of a sweep with the sections of its profile, at the tight bends.
  *
  * Steps at tight bends are filled with tetrahedra, which reach beyond the step by more than the tolerance. Other steps
- * hide most of this, but not always all of it. Therefore chance points in the tetrahedra are tested. A point is inside
- * the solid if it lies in the profile of a section. A formula answers this without a mesh (geometry/measure/inside.h).
- * If the mesh has another answer, it is wrong, unless its surface is close to the point. */
+ * hide most of this, but not always all of it. Therefore random points in the tetrahedra are tested. A point is inside
+ * the solid if it lies in the profile of a section. A formula decides this without a mesh (geometry/measure/inside.h).
+ * If the mesh does not agree, it is wrong, unless its surface is close to the point. */
 #include "solids/astray.h"
 
 #include <math.h>
@@ -14,10 +14,10 @@
 #include "model/store/array.h"
 
 enum { POINTS = 20000 }; /* number of random points that are tested */
-static const double far_away = 2.5; /* distance from the surface, in tolerances of the mesh, beyond which a point on the
-                                     * wrong side counts */
+static const double far_away = 2.5; /* Distance from the surface of the mesh, in units of the mesh's tolerance. A point
+                                     * on the wrong side of the surface counts only beyond this distance. */
 
-/* Returns the place on the segment from a to b that is nearest to p. */
+/* Returns the point nearest to p on the segment from a to b. */
 static vs_vec3 on_segment(vs_vec3 p, vs_vec3 a, vs_vec3 b) {
   vs_vec3 d = vs_v3_sub(b, a);
   double square = vs_v3_dot(d, d), t = square > 0 ? vs_v3_dot(vs_v3_sub(p, a), d) / square : 0;
@@ -36,7 +36,7 @@ static bool near_triangle(vs_vec3 p, const vs_vec3 v[3], double distance) {
   return near || over;
 }
 
-/* Returns true if a triangle of the mesh is at most `distance` away from p. */
+/* Returns true if the distance of p from some triangle of the mesh is at most `distance`. */
 static bool near_surface(const vs_mesh *m, vs_vec3 p, double distance) {
   for (size_t t = 0; t < m->triangle_count; t++) {
     const vs_vec3 v[3] = { m->vertices[m->triangles[t][0]], m->vertices[m->triangles[t][1]],

@@ -12,8 +12,7 @@
 #include "solids/solid_meshes.h"
 #include "model/walk.h"
 
-enum { PART_WORK = 300 /* approximate nanoseconds of work for each part, for the count that decides when to ask for
-                        * interrupts */ };
+enum { PART_WORK = 300 /* work for each part, in nanoseconds, passed to vs_store_going, which asks whether to stop */ };
 
 /* ---- the parts of a drawing ---- */
 
@@ -96,7 +95,7 @@ static const struct { unsigned by; vs_part_fate fate; } rules[] = {
 
 typedef struct { uint64_t key; uint32_t part; } keyed;
 
-/* The FNV-1a hash, applied to a word at a time. */
+/* Returns the FNV-1a hash h continued with one word. */
 static uint64_t mix(uint64_t h, uint64_t word) { return (h ^ word ^ word >> 29) * UINT64_C(0x100000001b3); }
 
 static uint64_t key_of(const vs_drawn_part *p, unsigned by) {
@@ -120,8 +119,8 @@ static int by_key(const void *a, const void *b) {
   return p->key != q->key ? (p->key < q->key ? -1 : 1) : p->part < q->part ? -1 : p->part > q->part;
 }
 
-/* Writes the keys of the unpaired parts of a drawing to out: hashes of the properties selected by the bits `by`.
- * Returns their number. */
+/* Writes the keys of a drawing's unpaired parts to out. A key is a hash of the properties that the bits `by` select.
+ * Returns the number of keys. */
 static size_t keys_of(const vs_drawn_parts *p, const vs_part_match *match, unsigned by, keyed *out) {
   size_t n = 0;
   for (size_t i = 0; i < p->count; i++)
@@ -130,7 +129,7 @@ static size_t keys_of(const vs_drawn_parts *p, const vs_part_match *match, unsig
   return n;
 }
 
-/* ---- pairing the parts of a single key ---- */
+/* ---- pairing the parts with one key ---- */
 
 typedef struct {
   const vs_drawn_parts *a, *b;
@@ -140,7 +139,8 @@ typedef struct {
   size_t room;
 } matching;
 
-/* Writes the centre and the size of the bounding box of part p to out: six numbers, all 0 for unbounded parts. */
+/* Writes six numbers to out: centre and size of the bounding box of part p, or zeros for a part without bounds. Returns
+ * false on failure. */
 static bool box_of(matching *m, const vs_drawn_part *p, double *out, vs_error *e) {
   vs_bounds box;
   if (!vs_bounds_memo_get(&m->boxes, p->thing.node, &box, e)) return false;
@@ -154,25 +154,26 @@ static bool box_of(matching *m, const vs_drawn_part *p, double *out, vs_error *e
   return true;
 }
 
-/* Returns the distance of the boxes a and b, each given by centre and size: the distance of their centres plus the
- * distance of their sizes. */
+/* Returns a measure of the difference of two boxes, each given by centre and size: the distance of the centres plus the
+ * distance of the sizes. */
 static double apart(const double *a, const double *b) {
   double sum[2] = { 0, 0 };
   for (int i = 0; i < 6; i++) sum[i / 3] += (a[i] - b[i]) * (a[i] - b[i]);
   return sqrt(sum[0]) + sqrt(sum[1]);
 }
 
-/* A problem of assignment: each row gets a different column, at the least total cost. The cost of a pair is the
- * distance of the two boxes. */
+/* An assignment problem: each row gets a column of its own, so that the sum of costs is least. The cost of a row and a
+ * column is the difference of their boxes (apart). */
 typedef struct {
   size_t rows, columns;                    /* numbers of rows and columns; rows <= columns */
-  const double *row_boxes, *column_boxes;  /* six numbers for each row or column: centre and size of its part's box */
+  const double *row_boxes, *column_boxes;  /* centres and sizes of boxes, six numbers for the part of each row, and of
+                                            * each column */
   double *work;                            /* working memory of 3 rows + 4 columns + 7 numbers */
   uint32_t *row;                           /* row[j]: row that is assigned to column j, counted from 1; 0: none */
 } assignment;
 
-/* Assigns a column to each row with the least sum of costs (H. Kuhn's Hungarian method, by shortest augmenting paths
- * with potentials: O(rows^2 columns)). Returns false when interrupted. */
+/* Assigns a column of its own to each row, so that the sum of costs is least (H. Kuhn's Hungarian method, by shortest
+ * augmenting paths with potentials: O(rows^2 columns)). Returns false when interrupted. */
 static bool assign(vs_store *s, const assignment *a, vs_error *e) {
   size_t n = a->rows, m = a->columns;
   uint32_t *row = a->row;
@@ -208,8 +209,8 @@ static bool assign(vs_store *s, const assignment *a, vs_error *e) {
   return true;
 }
 
-/* Pairs part p of the first drawing with part q of the second drawing, unless p and q are different shapes with equal
- * hashes. */
+/* Pairs part p of the first drawing with part q of the second drawing, unless they are different shapes whose hashes
+ * happen to be equal. */
 static bool pair(matching *m, size_t rule, uint32_t p, uint32_t q, vs_error *e) {
   bool memory = true;
   if (rules[rule].by & BY_THING && !vs_node_equal(m->a->at[p].thing.node, m->b->at[q].thing.node, &memory))
@@ -219,19 +220,19 @@ static bool pair(matching *m, size_t rule, uint32_t p, uint32_t q, vs_error *e) 
   return true;
 }
 
-/* greatest number of steps that the pairing of equal parts may take; if it needs more, parts are paired in the order of
+/* greatest number of steps for pairing parts with one key; if more would be needed, parts are paired in the order of
  * drawing */
 static const double MOST_STEPS = 1e8;
 
-/* The parts of a drawing that have one key (hash of properties). */
+/* All parts of one drawing with the same key (hash of properties). */
 typedef struct { const keyed *at; size_t count; } alike;
 
-/* Pairs the parts of the first and of the second drawing that have the same key. If several pairings are possible, it
- * chooses the pairing with the least sum of distances in position and size. */
+/* Pairs parts of the first drawing, `one`, with parts of the second, `other`, which all have the same key. If several
+ * pairings are possible, chooses the one with the least sum of differences in position and size. */
 static bool pair_alike(matching *m, size_t rule, alike one, alike other, vs_error *e) {
   size_t n = one.count, k = other.count;
   bool free_choice = n * k > 1 && (rules[rule].by & (BY_THING | BY_PLACE)) != (BY_THING | BY_PLACE);
-  bool turned = n > k; /* the drawing with fewer parts supplies the rows of the assignment */
+  bool turned = n > k; /* true if the second drawing has fewer parts, and so supplies the rows of the assignment */
   const keyed *few = turned ? other.at : one.at, *many = turned ? one.at : other.at;
   size_t rows = turned ? k : n, columns = turned ? n : k, wanted = 9 * rows + 12 * columns + 16;
   if (!free_choice || (double)rows * (double)rows * (double)columns > MOST_STEPS) {
@@ -289,7 +290,7 @@ bool vs_drawn_parts_match(const vs_drawn_parts *a, const vs_drawn_parts *b, vs_p
 
 /* ---- the solids that show the differences ---- */
 
-/* A list of references that will be operands of a boolean. It retains each node. */
+/* A list of references that will be the operands of a boolean. It holds a reference to each node. */
 typedef struct { vs_store *store; vs_ref *at; size_t count, room; bool failed; } refs;
 
 static void refs_free(refs *r) {
@@ -297,8 +298,8 @@ static void refs_free(refs *r) {
   vs_store_realloc(r->store, r->at, r->room * sizeof *r->at, 0);
 }
 
-/* Adds node n to the list, which takes over its reference. If n is NULL, memory is out, and the list is marked as
- * failed. */
+/* Adds node n to the list, which takes over the caller's reference. If n is NULL, because memory is out, marks the list
+ * as failed. */
 static void refs_add(refs *r, vs_node *n, const vs_origin *origin) {
   if (!n || !vs_store_grow(r->store, &r->at, &r->room, r->count + 1, sizeof *r->at)) {
     vs_node_release(n);
@@ -326,7 +327,7 @@ static bool refs_bounds(const refs *r, vs_bounds_memo *memo, vs_bounds *out, vs_
   return true;
 }
 
-/* Appends to r the references of `from` whose bounds intersect the box or are close to it. */
+/* Appends those references of `from` to r whose bounds intersect the box or are close to it. */
 static bool refs_add_near(refs *r, const refs *from, const vs_bounds *box, vs_bounds_memo *memo, vs_error *e) {
   for (size_t i = 0; i < from->count; i++) {
     vs_bounds b;
@@ -342,7 +343,7 @@ static vs_node *set_of(refs *r, vs_kind kind) {
   return vs_node_new(r->store, kind, &(struct vs_union){ 0 }, r->at, r->count);
 }
 
-/* Appends to out the solids of `whole` without the space that is in `first` or `second`. */
+/* Appends the solids of `whole` to out, without the space that is in solids of `first` or `second`. */
 static bool add_rest(refs *out, refs *whole, const refs *first, const refs *second, vs_bounds_memo *memo, vs_error *e) {
   vs_bounds box;
   if (!whole->count) return true;
@@ -355,7 +356,7 @@ static bool add_rest(refs *out, refs *whole, const refs *first, const refs *seco
   return ok;
 }
 
-/* Appends to out the space that is in solids of both a and b. */
+/* Appends the space to out that is in solids of both a and b. */
 static bool add_common(refs *out, refs *a, refs *b, vs_bounds_memo *memo, vs_error *e) {
   vs_bounds boxes[2];
   if (!a->count || !b->count) return true;
@@ -371,8 +372,8 @@ static bool add_common(refs *out, refs *a, refs *b, vs_bounds_memo *memo, vs_err
 
 static bool stays(vs_part_fate fate) { return fate == VS_PART_SAME || fate == VS_PART_REPAINTED; }
 
-/* Distributes the parts of a drawing. Unchanged parts go to `kept`, other solids to `solids`, and objects that booleans
- * cannot handle to `whole`. If kept is NULL, unchanged parts are dropped. */
+/* Sorts the parts of a drawing into three lists. kept: unchanged parts, which are dropped if kept is NULL; solids:
+ * other solids; whole: other objects, which booleans cannot handle. */
 static void sort_parts(const vs_drawn_parts *p, const vs_part_match *match, refs *kept, refs *solids, refs *whole) {
   for (size_t i = 0; i < p->count; i++) {
     const vs_drawn_part *part = &p->at[i];
@@ -382,7 +383,7 @@ static void sort_parts(const vs_drawn_parts *p, const vs_part_match *match, refs
   }
 }
 
-/* Copies to out only those references of `from` that are solids, because other objects cannot be subtracted. */
+/* Copies those references of `from` that are solids to out; other objects cannot be subtracted. */
 static bool only_solids(refs *out, const refs *from) {
   for (size_t i = 0; i < from->count; i++)
     if (from->at[i].node->class_ == VS_SOLID) refs_add(out, vs_node_retain(from->at[i].node), from->at[i].origin);
@@ -420,7 +421,7 @@ bool vs_drawn_parts_change(const vs_drawn_parts *a, const vs_drawn_parts *b, con
   return ok;
 }
 
-/* Adds the solids of n to `solids`, and all other objects to `rest`. If rest is NULL, other objects are dropped. */
+/* Adds the solids below n to `solids`, and all other objects to `rest`; drops the latter if `rest` is NULL. */
 static bool part_solids(vs_node *n, refs *solids, refs *rest, vs_error *e) {
   vs_drawn_parts parts = { .store = n->store };
   bool ok = vs_drawn_parts_take(&parts, &(vs_ref){ n, NULL }, 1, e);
@@ -474,8 +475,8 @@ bool vs_drawn_parts_swell(vs_node *n, double tolerance, const vs_kernel_options 
   vs_bounds whole;
   bool ok = vs_node_bounds(n, &whole, e) && part_solids(n, &solids, &shown, e);
   if (ok && tolerance <= 0) facets.tolerance = vs_fineness_tolerance(&whole);
-  double reach = facets.tolerance / 2; /* The tolerance of facets is a quarter of this distance. Therefore the mesh is
-                                        * outside the object everywhere. */
+  double reach = facets.tolerance / 2; /* The tolerance of facets is a quarter of `reach`. Therefore the enlarged mesh
+                                        * is outside the object everywhere. */
   facets.tolerance /= 8;
   if (ok && solids.count) ok = vs_solid_evaluate(solids.at, solids.count, &facets, options, &solid, e);
   if (ok && solid.mesh.triangle_count) {

@@ -13,8 +13,8 @@
 #include "model/store/nodemap.h"
 #include "solids/overlaps.h"
 
-/* HALVINGS: greatest number of times that an edge is halved. FINEST, USUAL: the diagonal of a hexahedron divided by
- * these is the least tolerance and the default tolerance. */
+/* HALVINGS: greatest number of times that an edge is halved. USUAL: a hexahedron's diagonal divided by this is the
+ * default tolerance. FINEST: divided by this, it is the least tolerance. */
 enum { HALVINGS = 6, FINEST = 1000, USUAL = 200 };
 
 /* ---- leaves ---- */
@@ -26,8 +26,8 @@ typedef struct {
   int look_count;
 } open_node;
 
-/* Makes the mesh of a node in its placement, or the points of a curve. no_regions: error message for a region; NULL:
- * regions are allowed. */
+/* Makes the mesh of the node of o, with its placement; for a curve, the mesh has only vertices. no_regions: error
+ * message for a region; NULL: regions are allowed. Returns false on failure. */
 static bool mesh_leaf(const open_node *o, const vs_fineness *asked, const vs_kernel_options *options,
                       const char *no_regions, vs_bend_leaf *l, vs_error *e) {
   vs_ref ref = o->ref;
@@ -59,8 +59,8 @@ static bool mesh_leaf(const open_node *o, const vs_fineness *asked, const vs_ker
   return true;
 }
 
-/* Stores the material or layer of wrapper n in o. An inner material replaces an outer material, and an inner layer an
- * outer layer. */
+/* Stores wrapper n, a material or layer, as the look of o. An inner material replaces an outer one, and an inner layer
+ * an outer layer. */
 static void put_look(open_node *o, vs_node *n) {
   int i = 0;
   while (i < o->look_count && o->looks[i]->kind != n->kind) i++;
@@ -102,8 +102,8 @@ bool vs_take_apart(vs_ref object, const vs_fineness *facets, const vs_kernel_opt
 /* ---- the map ---- */
 
 typedef struct {
-  vs_vec3 corner[8]; /* corner[i]: point to which corner i of the child's bounds is mapped; bits 1, 2 and 4 of i select
-                      * the high end along x, y and z */
+  vs_vec3 corner[8]; /* corner[i]: position to which corner i of the child's bounds is mapped; bits 0, 1 and 2 of i
+                      * select the high end along x, y and z */
   vs_bounds from;
   double tolerance;
 } hexahedron;
@@ -151,27 +151,27 @@ bool vs_deform_is_affine(const struct vs_deform *d, const vs_bounds *bounds, vs_
   return true;
 }
 
-/* ---- the cache of the deformer ---- */
+/* ---- the cache of deformed shapes ---- */
 
 typedef struct {
   vs_bounds bounds;
   vs_bend_leaves leaves;
-  bool apart; /* true if the object to deform has been divided into leaves */
+  bool apart; /* true if the object to deform has already been divided into leaves */
 } subject;
 
 typedef struct {
   int64_t key[24];
   size_t subject;
-  vs_node *node; /* deformed node, retained; NULL: the slot is free */
+  vs_node *node; /* deformed node, to which the entry holds a reference; NULL: the slot is free */
 } shape;
 
 struct vs_deformer {
   vs_store *store;
   const vs_fineness *facets;
   const vs_kernel_options *options;
-  vs_nodemap children; /* maps a child to the number of its entry in the list of objects to deform, plus 1 */
+  vs_nodemap children; /* maps a child to its number in the list of objects to deform, plus 1 */
   subject *subjects;
-  vs_node **held; /* nodes of the objects to deform, retained */
+  vs_node **held; /* nodes of the objects to deform; the deformer holds a reference to each */
   size_t subject_count, subject_room, held_room;
   shape *shapes; /* hash table of the deformed shapes; its number of slots is a power of two */
   size_t shape_count, shape_room;
@@ -261,8 +261,8 @@ static vs_node *leaf_node(const vs_deformer *d, const hexahedron *h, const vs_be
     vs_mesh *m = vs_bending_mesh(b);
     bool solid = l->closed && !l->curve;
     if (mirrored) vs_mesh_turn(m, 0);
-    ok = !solid || vs_mesh_without_overlaps(m, d->options, e); /* a hexahedron may be folded, so overlaps of the
-                                                                * deformed mesh with itself are removed */
+    ok = !solid || vs_mesh_without_overlaps(m, d->options, e); /* a hexahedron may be folded, so the deformed mesh may
+                                                                * overlap itself; these overlaps are removed */
     if (ok && !(n = vs_bend_node(d->store, l, m))) vs_error_memory(e, l->origin);
   }
   vs_bending_free(b);
@@ -288,8 +288,8 @@ static vs_node *all_leaves(const vs_deformer *d, const hexahedron *h, const vs_b
   return n;
 }
 
-/* Returns a frame of the hexahedron with the corners c that moves and rotates with it. If a hexahedron is a moved or
- * rotated copy of another, their corners have the same coordinates in their frames. */
+/* Returns a frame that moves and rotates with the hexahedron of the corners c. sx, sy: its sides along x and y. If a
+ * hexahedron is a moved or rotated copy of another, both have the same coordinates in their frames. */
 static vs_affine frame_of(const vs_vec3 c[8], vs_vec3 sx, vs_vec3 sy) {
   vs_vec3 fx = vs_v3_unit(sx), fz = vs_v3_unit(vs_v3_cross(sx, sy));
   vs_affine back, frame = vs_affine_columns(fx, vs_v3_cross(fz, fx), fz, c[0]);

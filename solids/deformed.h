@@ -11,22 +11,23 @@
 #include "geometry/shapes/bending.h"
 #include "solids/solid_meshes.h"
 
-/* Divides an object into leaves with their materials, layers and origins. Each leaf is a mesh in the object's
- * coordinates. If `facets` has no tolerance, each leaf has its default tolerance. no_regions: error message for a
- * region; NULL: regions become surfaces. The object must be resolved (solids/resolve.h). */
+/* Divides an object into leaves, each with its material, layer and origin. Each leaf is a mesh in the object's
+ * coordinates, with the tolerance of `facets`, or the leaf's default tolerance if that is 0. no_regions: error message
+ * for a region; NULL: regions become surfaces. The object has been resolved (solids/resolve.h). Returns false and sets
+ * e on failure. */
 bool vs_take_apart(vs_ref object, const vs_fineness *facets, const vs_kernel_options *options, const char *no_regions,
                    vs_bend_leaves *out, vs_error *e);
 
-/* Returns true if the deformation d of an object with these bounds is affine. *out is then the affine map. */
+/* Returns true if the deformation d, applied to an object with these bounds, is affine. *out: the affine map. */
 bool vs_deform_is_affine(const struct vs_deform *d, const vs_bounds *bounds, vs_affine *out);
 
 typedef struct vs_deformer vs_deformer;
 
-/* Returns a new deformer, or NULL if memory is out. If `facets` has no tolerance, the tolerance is a two-hundredth of
- * each hexahedron's diagonal. s, facets and options must exist longer than the deformer. */
+/* Returns a new deformer, or NULL if memory is out. If the tolerance of `facets` is 0, a two-hundredth of each
+ * hexahedron's diagonal is used. s, facets and options must exist longer than the deformer. */
 vs_deformer *vs_deformer_new(vs_store *s, const vs_fineness *facets, const vs_kernel_options *options);
 void vs_deformer_free(vs_deformer *d); /* frees the deformer d, which may be NULL */
-/* Returns the child deformed to the hexahedron `corners`, which consists of placements and meshes. The child must be
+/* Returns the child, deformed to the hexahedron `corners`, as a node of placements and meshes. The child has been
  * resolved. Returns NULL and sets e on failure. */
 vs_node *vs_deformer_apply(vs_deformer *d, const struct vs_deform *corners, vs_ref child, vs_error *e);
 

@@ -13,9 +13,9 @@
 #include "model/store/cache.h"
 #include "model/job.h"
 
-enum { BOX_LOOK = 1 << 20, KEPT_BOUNDS = 1000 /* BOX_LOOK: greatest number of nodes that box_is_exact visits;
-                                               * KEPT_BOUNDS: word that marks bounds of drawn objects among the results
-                                               * of kind VS_CACHED_MEASURE */ };
+enum { BOX_LOOK = 1 << 20, KEPT_BOUNDS = 1000 /* BOX_LOOK: greatest number of nodes that box_is_exact visits.
+                                               * KEPT_BOUNDS: a word in the keys of the cache (kind VS_CACHED_MEASURE),
+                                               * which distinguishes bounds of drawn objects from other measures. */ };
 
 /* ---- a stack of nodes ---- */
 
@@ -33,16 +33,16 @@ static bool spreads(const vs_node *n) {
 
 /* ---- exact bounds by formula ---- */
 
-/* Returns true if the map transforms axis-parallel boxes to axis-parallel boxes: rotations by quarter turns, scalings
- * and translations. */
+/* Returns true if the map maps axis-parallel boxes to axis-parallel boxes: it consists of rotations by quarter turns,
+ * scalings and translations. */
 static bool keeps_boxes(const vs_affine *a) {
   for (int i = 0; i < 3; i++)
     if ((a->m[i][0] != 0) + (a->m[i][1] != 0) + (a->m[i][2] != 0) != 1) return false;
   return true;
 }
 
-/* Sets *exact to false if the bounds that formulas give for n may be larger than the object. Checks at most BOX_LOOK
- * nodes; all further nodes count as exact. */
+/* Sets *exact to false if the bounds of n by formulas may be larger than the object. Checks at most BOX_LOOK nodes; if
+ * there are more, these count as exact. Returns false if memory is out. */
 static bool box_is_exact(const vs_node *n, bool *exact) {
   node_stack s = { 0 };
   size_t seen = 0;
@@ -72,10 +72,10 @@ static bool box_is_exact(const vs_node *n, bool *exact) {
   return ok;
 }
 
-/* ---- the cost of combining ---- */
+/* ---- the cost of a boolean of shapes ---- */
 
-/* Returns the additional cost of node n, in shapes, if it has more than the usual 64 facets in a full turn. The facets
- * of a sphere increase with the square of this number. */
+/* Returns the additional cost of node n if it has more than the usual 64 facets in a full turn, as a number of shapes.
+ * The number of a sphere's facets grows with the square of this number. */
 static size_t segments_cost(const vs_node *n) {
   const vs_kind_info *k = vs_kind_get((vs_kind)n->kind);
   for (size_t i = 0; i < k->field_count; i++) {
@@ -94,8 +94,8 @@ static size_t shape_cost(const vs_node *n) {
   return n->child_count > 0 ? 0 : 1;
 }
 
-/* Counts the shapes below n, and each placement as one more, until the count reaches `most`. Returns false if memory is
- * out. */
+/* Counts the shapes below n, and each placement as one more shape, until the count reaches `most`. *cost: the count.
+ * Returns false if memory is out. */
 static bool combine_cost(const vs_node *n, size_t most, size_t *cost) {
   node_stack s = { 0 };
   bool ok = true;
@@ -111,7 +111,7 @@ static bool combine_cost(const vs_node *n, size_t most, size_t *cost) {
   return ok;
 }
 
-/* ---- the bounds of the points that are drawn ---- */
+/* ---- bounds of the points of a drawn object ---- */
 
 static bool drawn_solid(const vs_ref *ref, const vs_fineness *facets, const vs_kernel_options *options, vs_bounds *out,
                         vs_error *e) {
@@ -164,7 +164,7 @@ bool vs_drawn_bounds(const vs_ref *ref, vs_drawn_search *search, vs_bounds *out,
   if (budget) *budget -= cost;
   if (f.tolerance <= 0) f.tolerance = vs_fineness_tolerance(out);
   if (!(n->class_ == VS_SOLID ? drawn_solid(ref, &f, search->options, &drawn, e) : drawn_region(n, &f, &drawn, e))) {
-    /* If the mesher refuses a solid, the bounds by formula are used. A format without meshes can draw the solid; a
+    /* The mesher refuses the solid, so its bounds by formula are used. A format without meshes can draw the solid; a
      * format with meshes reports the refusal itself. */
     if (e->kind != VS_ERROR_MODEL) return false;
     *e = (vs_error){ VS_ERROR_NONE, NULL, "" };

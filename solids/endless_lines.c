@@ -1,5 +1,5 @@
 /* Replaces lines without end by finite lines, from side to side of the drawing's bounding box. If the drawing contains
- * only such lines, each is drawn ten units to both sides. */
+ * only such lines, each is drawn ten units in both directions. */
 #include "solids/endless_lines.h"
 
 #include <stdlib.h>
@@ -19,7 +19,8 @@ typedef struct {
 typedef struct { endless *at; size_t count, room; } endless_list;
 typedef struct { vs_affine placed; const vs_material *material; const char *layer; } endless_level;
 
-/* Collects the lines without end below the node of `root`, with their positions in space. */
+/* Collects the lines without end below the node of `root`, with their positions in the drawing's coordinates. Returns
+ * false on failure. */
 static bool collect(vs_ref root, endless_list *out, vs_error *e) {
   vs_walk *w = vs_walk_new(root.node->store, root);
   endless_level *levels = NULL;
@@ -109,8 +110,9 @@ bool vs_scene_resolve(vs_scene *scene, const vs_kernel_options *options, vs_erro
       for (size_t i = 0; i < lines.count; i++) vs_bounds_add(&all, lines.at[i].p);
       vs_bounds_add(&all, vs_v3(-10, -10, -10));
       vs_bounds_add(&all, vs_v3(10, 10, 10));
-    } else widen(&all, 1e-9 * vs_bounds_diagonal(&all)); /* `all` is enlarged by a little, so that a line in the plane
-                                                          * of a flat drawing counts as inside despite rounding */
+    } else widen(&all, 1e-9 * vs_bounds_diagonal(&all)); /* enlarges the box `all` a little, so that a line in the
+                                                          * plane of a flat drawing counts as inside despite rounding
+                                                          * errors */
   }
   for (size_t i = 0; ok && i < lines.count; i++) {
     vs_ref line = { clipped(scene->store, &lines.at[i], &all), lines.at[i].origin };

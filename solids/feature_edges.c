@@ -7,8 +7,9 @@
 #include "solids/sections.h"
 #include "model/store/array.h"
 
-static const double sharp = 0.86602540378443865; /* cosine of 30 degrees, the least angle between the faces at a feature
-                                                  * edge */
+static const double sharp = 0.86602540378443865; /* Cosine of 30 degrees. An edge is a feature edge if its faces differ
+                                                  * by more than this angle; a line of edges ends where it turns by more
+                                                  * than this angle. */
 
 void vs_polylines_free(vs_polylines *p) {
   for (size_t i = 0; i < p->count; i++) vs_polyline_free(&p->at[i]);
@@ -29,8 +30,8 @@ static int arm_compare(const void *p, const void *q) {
   return a->from != b->from ? (a->from < b->from ? -1 : 1) : a->to < b->to ? -1 : a->to > b->to;
 }
 
-/* Returns the feature edges of m, each in both directions, sorted by start. place[v]: first vertex at the position of
- * vertex v. *count: twice the number of edges. Returns NULL if memory is out. */
+/* Returns the feature edges of m, each in both directions, sorted by their start. place[v]: first vertex at the
+ * position of vertex v. *count: number of entries, twice the number of edges. Returns NULL if memory is out. */
 static arm *feature_arms(const vs_mesh *m, const uint32_t *place, size_t *count) {
   size_t n = m->triangle_count, sides = 0;
   side *all = vs_fresh(3 * n + 1, sizeof *all);
@@ -68,7 +69,7 @@ static arm *feature_arms(const vs_mesh *m, const uint32_t *place, size_t *count)
   return ok ? arms : NULL;
 }
 
-/* Returns the number of feature edges at a vertex. Sets *first to the index of the first in `arms`. */
+/* Returns the number of feature edges at a vertex. *first: index in `arms` of the first of them. */
 static size_t arms_at(const arm *arms, size_t count, uint32_t vertex, size_t *first) {
   size_t low = 0, high = count, n = 0;
   while (low < high) {
@@ -80,8 +81,8 @@ static size_t arms_at(const arm *arms, size_t count, uint32_t vertex, size_t *fi
   return n;
 }
 
-/* Returns true if the line of edges continues through the end of `in`: exactly two edges end there, with almost no
- * angle between them. *next is the edge that continues. */
+/* Returns true if a line of edges continues beyond the end of the edge `in`: exactly two edges end there, at an angle
+ * of less than 30 degrees. *next: the edge with which it continues. */
 static bool runs_on(const vs_mesh *m, const arm *arms, size_t count, const arm *in, const arm **next) {
   size_t first;
   if (arms_at(arms, count, in->to, &first) != 2) return false;
@@ -97,7 +98,7 @@ static bool add_point(vs_polyline *p, vs_vec3 at) {
   return true;
 }
 
-/* Appends the polyline that begins with the edge `start`, up to its end or around a ring. */
+/* Appends a polyline that begins with the edge `start`, and continues to its end or once around a ring. */
 static bool follow(const vs_mesh *m, const arm *arms, size_t count, const arm *start, bool *used, vs_polylines *out) {
   if (!VS_GROW(out->at, out->room, out->count + 1)) return false;
   vs_polyline *p = &out->at[out->count++];

@@ -23,25 +23,27 @@
 
 enum { LEAF = 4, STACK = 128, KEPT = 8 };
 
-typedef struct { double low[2], high[2], depth; } box; /* box of triangles. low, high: its bounds in the picture; depth:
-                                                        * least depth of the triangles in it */
+/* A box around triangles. low, high: its limits in the picture, horizontally and vertically; depth: least depth of its
+ * triangles. */
+typedef struct { double low[2], high[2], depth; } box;
+/* A node of the tree of boxes. first, count: for a leaf, the range of its boxes in `order`; count 0: the node has two
+ * children, the next node and the node number `right`. */
 typedef struct { box b; uint32_t first, count, right; } node;
-    /* node: first and count are a range of `order`. If count is 0, the node's children are the next node and the node
-     * `right`. span: an interval of an edge's parameter s, from 0 to 1 */
+/* An interval of an edge's parameter s, within 0 to 1. */
 typedef struct { double from, to; } span;
 
 typedef struct {
   const vs_sight_host *host;
   const vs_sight *s;
-  box *boxes;        /* boxes in the picture of the triangles that may hide an edge */
-  uint32_t *number;  /* number[i]: number of the triangle in boxes[i] */
+  box *boxes;        /* boxes, in the picture, of the triangles that may hide an edge */
+  uint32_t *number;  /* number[i]: number of the triangle that boxes[i] encloses */
   uint32_t *order;   /* indices of boxes, in the order of the tree's leaves */
   node *nodes;
   size_t count, room, node_count, node_room;
   span *spans;       /* hidden intervals of the current edge, sorted and disjoint */
   size_t span_count, span_room;
   size_t turns;
-  uint32_t kept[KEPT]; /* boxes of the triangles that last hid an entire edge, the latest first */
+  uint32_t kept[KEPT]; /* indices of the boxes of the triangles that hid entire edges last, the latest first */
 } sight;
 
 static bool going(sight *v) { return (++v->turns & 0xfff) != 0 || vs_job_going(v->host->job, "drawing", -1); }
@@ -74,7 +76,7 @@ static void corners_of(const vs_sight *s, uint32_t triangle, vs_vec3 out[3]) {
   for (int k = 0; k < 3; k++) out[k] = s->points[s->triangles[triangle][k]];
 }
 
-/* Returns true if triangle i can hide something: the viewer sees its front, or it bounds no solid. */
+/* Returns true if triangle i can hide something: the viewer sees its front, or it belongs to no solid. */
 static bool may_hide(const vs_sight *s, uint32_t i) {
   vs_vec3 c[3];
   corners_of(s, i, c);
@@ -90,8 +92,8 @@ static double middle(const sight *v, uint32_t i, int axis) {
   return axis == 2 ? b->depth : b->low[axis] + b->high[axis];
 }
 
-/* Reorders order[first, first + count) so that the boxes with the smaller centres along the axis (width, height or
- * depth) are in the first half. */
+/* Reorders order[first] to order[first + count - 1], so that the first half has the boxes with the smaller centres
+ * along the axis (0: width, 1: height, 2: depth). */
 static void split(sight *v, size_t first, size_t count, int axis) {
   size_t low = first, high = first + count - 1, want = first + count / 2;
   uint32_t *o = v->order;
@@ -111,8 +113,8 @@ static void split(sight *v, size_t first, size_t count, int axis) {
   }
 }
 
-/* Builds the tree's nodes in the order in which a walk visits them, left children first. Each node stores the number of
- * its right child. */
+/* Builds the tree of boxes. A node's left child follows it in the array, and its right child has the number that it
+ * stores. Returns false if memory is out. */
 static bool build(sight *v) {
   struct { uint32_t first, count, parent; } stack[STACK];
   size_t depth = 0;
@@ -167,14 +169,14 @@ static bool gather(sight *v) {
 /* ---- an edge and a triangle ---- */
 
 typedef struct { vs_vec3 p, d; double low[2], high[2], far, length, slack; double from, to; } line;
-    /* Returns the point of line l at the parameter s. The members from and to of a line are the interval of s that
-     * remains after clipping. */
+    /* Returns the point of line l at the parameter s. The interval from l->from to l->to remains after the clipping so
+     * far. */
 
 static vs_vec3 place(const line *l, double s) { return vs_v3_add(l->p, vs_v3_scale(l->d, s)); }
 
-/* Reduces the interval from..to of line l to the part where a linear function is not negative. at_from, at_to: values
- * of the function at both ends of the interval. Values with an absolute value up to slack count as 0. Returns false if
- * at most a point remains. */
+/* Clips the interval l->from to l->to of line l to where a linear function is not negative. at_from, at_to: values of
+ * the function at both ends of the interval; absolute values up to slack count as 0. Returns false if at most a point
+ * remains. */
 static bool keep(line *l, double at_from, double at_to, double slack) {
   if (fabs(at_from) <= slack) at_from = 0;
   if (fabs(at_to) <= slack) at_to = 0;
@@ -185,8 +187,8 @@ static bool keep(line *l, double at_from, double at_to, double slack) {
   return l->from < l->to;
 }
 
-/* Returns the distance of p from the line at coordinate `bound` in the picture, a side of a triangle's box. In a
- * perspective view the distance is multiplied by the depth. */
+/* Returns the distance of p from a side of a triangle's box in the picture, the line at the coordinate `bound`. In a
+ * perspective view, the distance is multiplied by the depth. */
 static double beside(const vs_sight *s, vs_vec3 p, int axis, double bound) { return (axis ? p.y :
     p.x) - bound * (s->perspective ? p.z : 1); }
 
@@ -201,16 +203,16 @@ static bool keep_in_box(const vs_sight *s, line *l, const box *b) {
   return true;
 }
 
-/* Returns the unit normal of the plane through the viewer and the triangle's side from a to b. Returns 0 if the viewer
- * sees a and b at the same point. */
+/* Returns the unit normal of the plane through the viewer and the triangle's side from a to b. Returns the zero vector
+ * if a and b are at one place in the picture. */
 static vs_vec3 side_normal(const vs_sight *s, vs_vec3 a, vs_vec3 b) {
   vs_vec3 n = s->perspective ? vs_v3_cross(a, b) : vs_v3(a.y - b.y, b.x - a.x, 0);
   double length = vs_v3_length(n);
   return length > 0 ? vs_v3_scale(n, 1 / length) : vs_v3(0, 0, 0);
 }
 
-/* Returns true if the triangle with the corners c lies entirely on one side of the line from a to b in the picture.
- * This holds for most triangles whose boxes the line intersects. */
+/* Returns true if, in the picture, the triangle with the corners c lies entirely on one side of the line from a to b.
+ * This is so for most triangles whose boxes the line intersects. */
 static bool passes(const vs_sight *s, const vs_vec3 c[3], const double a[2], const double b[2], double slack) {
   double across = b[0] - a[0], up = b[1] - a[1], least = INFINITY, most = -INFINITY;
   for (int k = 0; k < 3; k++) {
@@ -223,8 +225,8 @@ static bool passes(const vs_sight *s, const vs_vec3 c[3], const double a[2], con
   return least > slack || most < -slack;
 }
 
-/* Computes the part of the edge l that the triangle hides, as l->from and l->to. Returns false if the triangle hides no
- * part of it. */
+/* Computes the part of edge l that the triangle hides: from l->from to l->to. Returns false if the triangle hides
+ * nothing of the edge. */
 static bool hides(const vs_sight *s, const vs_vec3 c[3], const box *b, line *l) {
   vs_vec3 n = vs_v3_unit(vs_v3_cross(vs_v3_sub(c[1], c[0]), vs_v3_sub(c[2], c[0])));
   if (vs_v3_dot(n, s->perspective ? c[0] : vs_v3(0, 0, 1)) < 0) n = vs_v3_scale(n, -1);
@@ -246,7 +248,8 @@ static bool hides(const vs_sight *s, const vs_vec3 c[3], const box *b, line *l) 
 
 /* ---- the hidden parts of an edge ---- */
 
-/* Adds the interval from..to to the sorted hidden intervals. Intervals closer than `gap` are joined. */
+/* Adds an interval to the sorted list of hidden intervals. Joins intervals whose distance is less than `gap`. Returns
+ * false if memory is out. */
 static bool add_span(sight *v, double from, double to, double gap) {
   size_t first = 0, end, count = v->span_count;
   while (first < count && v->spans[first].to < from - gap) first++;
@@ -270,7 +273,7 @@ static bool meets(const line *l, const box *b, double slack) {
   return b->depth < l->far;
 }
 
-/* Returns true if the segment from a to b, an edge in the picture, intersects the box x of a triangle. */
+/* Returns true if, in the picture, the edge from a to b intersects the box x of a triangle. */
 static bool crosses(const double a[2], const double b[2], const box *x, double slack) {
   double across = b[0] - a[0], up = b[1] - a[1];
   double mx = (x->low[0] + x->high[0]) / 2 - a[0], my = (x->low[1] + x->high[1]) / 2 - a[1];
@@ -283,8 +286,8 @@ static void keep_hider(sight *v, uint32_t which) {
   v->kept[0] = which;
 }
 
-/* Computes the hidden intervals v->spans of the edge. Joins intervals closer than `gap`. Sets *on to false if
- * interrupted. */
+/* Computes the hidden intervals of the edge, v->spans. Joins intervals whose distance is less than `gap`. *on: false if
+ * interrupted. Returns false if memory is out. */
 static bool look(sight *v, const vs_sight_edge *edge, double gap, bool *on) {
   const vs_sight *s = v->s;
   line l = { .p = edge->p, .d = vs_v3_sub(edge->q, edge->p), .slack = fmax(edge->slack, s->slack) };
@@ -298,8 +301,8 @@ static bool look(sight *v, const vs_sight_edge *edge, double gap, bool *on) {
   l.far = fmax(edge->p.z, edge->q.z);
   v->span_count = 0;
   if (v->node_count == 0) return true;
-  for (int i = 0; i < KEPT; i++) { /* A triangle often hides several successive edges. Therefore the triangles that last
-                                    * hid an edge are tested first. */
+  for (int i = 0; i < KEPT; i++) { /* A triangle often hides several successive edges. Therefore those that hid edges
+                                    * last are tested first. */
     uint32_t which = v->kept[i];
     if (!meets(&l, &v->boxes[which], slack)) continue;
     corners_of(s, v->number[which], c);
@@ -340,8 +343,8 @@ static bool add_piece(sight *v, vs_sight_pieces *out, vs_sight_piece piece, doub
   return true;
 }
 
-/* Appends the visible parts of the edge, which lie between the hidden intervals. with_hidden: also appends the hidden
- * parts. Parts shorter than `least` are omitted. */
+/* Appends the visible parts of an edge, between its hidden intervals, to out. with_hidden: also appends the hidden
+ * parts. Omits parts shorter than `least`. Returns false if memory is out. */
 static bool cut_up(sight *v, uint32_t edge, bool with_hidden, double least, vs_sight_pieces *out) {
   double at = 0;
   for (size_t i = 0; i < v->span_count; i++) {

@@ -27,7 +27,7 @@
 #include "solids/astray.h"
 #include "solids/weld.h"
 
-/* Returns true if the mesh of node n may overlap itself. Ignores placements around the node. */
+/* Returns true if the mesh of node n may overlap itself. Placements around n do not matter. */
 static bool may_overlap(const vs_node *n) {
   if (n->class_ != VS_SOLID) return false;
   while (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER) n = n->children[0].node;
@@ -50,8 +50,8 @@ static bool failed(const vs_kernel_error *why, vs_error *e) {
 }
 
 /* Removes shells (connected parts of the surface) that are only cracks or flakes: their mean thickness is less than
- * `thickness`. They occur if faces of a mesh that overlaps itself lie on each other, because rounding separates the
- * faces by some steps of the kernel's grid. */
+ * `thickness`. Where faces of the mesh lie on each other, rounding to the kernel's grid separates them by some grid
+ * steps, and so makes such shells. Returns false if memory is out. */
 static bool drop_flakes(vs_mesh *m, double thickness, vs_error *e) {
   vs_shells shells;
   bool ok = vs_shells_find(m, &shells);
@@ -67,15 +67,15 @@ static bool drop_flakes(vs_mesh *m, double thickness, vs_error *e) {
   return ok && (vs_mesh_drop_lonely(m) || vs_error_memory(e, NULL));
 }
 
-/* Limit on the work: number of pairs of triangles that may still be tested, and whether this number was too small. */
+/* A limit on the work: how many pairs of triangles may still be tested, and whether more would have been needed. */
 typedef struct {
   const vs_kernel_options *options;
   size_t pairs;
   bool too_much;
 } work;
 
-/* Replaces m by the solid of all space that it winds around more than 0 times. left: limit on the work; NULL: none. If
- * the result is true and left->too_much is set, m is unchanged. */
+/* Replaces m by the solid of all space around which m winds more than 0 times. left: limit on the work; NULL: no limit.
+ * If the limit is too small, sets left->too_much, leaves m unchanged and returns true. Returns false on failure. */
 static bool resolve(vs_mesh *m, const vs_kernel_options *options, work *left, vs_error *e) {
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
   vs_mesh whole = { 0 };
@@ -92,8 +92,8 @@ static bool resolve(vs_mesh *m, const vs_kernel_options *options, work *left, vs
   return true;
 }
 
-/* Replaces m by the solid that it winds around more than 0 times. Sets *changed to true if m overlapped or touched
- * itself. Returns false on failure. */
+/* Replaces m by the solid of all space around which m winds more than 0 times. *changed: true if m overlapped or
+ * touched itself. Returns false on failure. */
 static bool free_of_overlaps(vs_mesh *m, const vs_kernel_options *options, bool *changed, vs_error *e) {
   vs_mesh_flaws flaws;
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
@@ -112,14 +112,15 @@ bool vs_mesh_without_overlaps(vs_mesh *m, const vs_kernel_options *options, vs_e
   return free_of_overlaps(m, options, &changed, e);
 }
 
-/* ---- crowds ---- */
+/* ---- sweeps with very many overlaps at their bends (crowds) ---- */
 
-/* CROWD: greatest number of intersecting pairs for each triangle with which a mesh is arranged in one step. MOST_PAIRS:
- * limit on the number of all pairs. STEPS: number of a sweep's steps that are united first. */
+/* CROWD: a mesh with more intersecting pairs than this for each triangle is not handled in one step. MOST_PAIRS:
+ * greatest number of intersecting pairs altogether. STEPS: number of a sweep's steps whose overlaps are removed
+ * together first. */
 enum { CROWD = 16, MOST_PAIRS = 60000000, STEPS = 8 };
 
-/* Sets *crowd to true if m, the mesh of a sweep, overlaps so much at its bends that groups of its steps must be united
- * separately. */
+/* Sets *crowd to true if m, the mesh of a sweep, has so many overlaps at its bends that groups of its steps must be
+ * handled separately. Returns false on failure. */
 static bool is_crowd(const vs_bends *bends, const vs_mesh *m, const vs_kernel_options *options, bool *crowd,
                      vs_error *e) {
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
@@ -142,7 +143,8 @@ static bool add_mesh(vs_mesh *a, vs_mesh *b) {
   return ok;
 }
 
-/* Removes the overlaps of m with itself, and then details smaller than `step` that remain (weld.h). */
+/* Removes the overlaps of m with itself, and then details that are smaller than `step` (weld.h). left: limit on the
+ * work. Returns false on failure. */
 static bool unite(vs_mesh *m, double step, work *left, vs_error *e) {
   return resolve(m, left->options, left, e) && (left->too_much || vs_mesh_weld(m, step) || vs_error_memory(e, NULL));
 }
@@ -168,8 +170,8 @@ static bool unite_runs(const vs_bends *bends, double step, work *left, vs_mesh *
 
 /* ---- rounding ---- */
 
-/* Sets *met to true if triangles intersect after m is rounded to the numbers of .off or .stl files. *at: the first
- * place where they intersect. Returns false on failure. */
+/* Sets *met to true if triangles of m would intersect after rounding to the numbers of .off or .stl files. *at: the
+ * first place where they would. Returns false on failure. */
 static bool find_met(const vs_mesh *m, const vs_kernel_options *options, bool *met, vs_vec3 *at, vs_error *e) {
   static const vs_numbers numbers[] = { VS_NUMBERS_DIGITS, VS_NUMBERS_LOOSE };
   bool ok = true;
@@ -187,9 +189,9 @@ static bool find_met(const vs_mesh *m, const vs_kernel_options *options, bool *m
   return ok;
 }
 
-/* Repairs m on a grid with `per` steps per unit. It treats m as for a format without vertex numbers whose numbers have
- * single precision: between 2^23 and 2^24, such numbers are the whole numbers. Every edge of m keeps as many triangles
- * in one direction as in the other. */
+/* Repairs m on a grid with `per` steps per unit. Maps coordinates to numbers between 2^23 and 2^24, which in single
+ * precision are whole numbers, and repairs m as for a format with such numbers and without vertex numbers. Every edge
+ * then still has as many triangles in one direction as in the other. Returns false on failure. */
 static bool mend(vs_mesh *m, double per, const vs_kernel_options *options, vs_error *e) {
   const double middle = 0x1.8p23;
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
@@ -206,15 +208,16 @@ static bool mend(vs_mesh *m, double per, const vs_kernel_options *options, vs_er
   return true;
 }
 
-/* Sets *met to true if triangles of m intersect after rounding (find_met). In this case, removes the overlaps of m once
- * more and searches again. */
+/* Sets *met to true if triangles of m would intersect after rounding (find_met). If so, removes the overlaps of m once
+ * more and searches again. Returns false on failure. */
 static bool try_out(vs_mesh *m, work *left, bool *met, vs_vec3 *at, vs_error *e) {
   if (!find_met(m, left->options, met, at, e)) return false;
   return !*met || (resolve(m, left->options, left, e) && (left->too_much || find_met(m, left->options, met, at, e)));
 }
 
-/* Repairs m on a grid of `per` steps per unit and removes the intersections there, several times. Stops if the number
- * of triangles grows, since that would not end. */
+/* Several times, repairs m on a grid of `per` steps per unit and removes the resulting intersections. Stops if the
+ * number of triangles grows, because this would never end. *met: true if triangles still intersect. Returns false on
+ * failure. */
 static bool settle_on(vs_mesh *m, double per, work *left, bool *met, vs_vec3 *at, vs_error *e) {
   enum { ROUNDS = 4 };
   vs_bounds b = vs_mesh_bounds(m);
@@ -229,8 +232,9 @@ static bool settle_on(vs_mesh *m, double per, work *left, bool *met, vs_vec3 *at
   return ok;
 }
 
-/* Repairs m on decimal grids, each coarser than the one before, until no triangles intersect in any format's numbers.
- * coarsest: largest step of a grid. *met: true if all grids have failed. *at: place of an intersection. */
+/* Repairs m on decimal grids, from fine to coarse, until no triangles intersect in the numbers of any format. coarsest:
+ * largest step of a grid. *met: true if all grids have failed; *at: position of an intersection. Returns false on
+ * failure. */
 static bool settle(vs_mesh *m, double coarsest, work *left, bool *met, vs_vec3 *at, vs_error *e) {
   vs_bounds b = vs_mesh_bounds(m);
   double size = vs_bounds_diagonal(&b);
@@ -282,8 +286,8 @@ bool vs_primitive_overlaps(const vs_node *n, const vs_fineness *f, const vs_kern
   return ok;
 }
 
-/* A sweep whose overlaps are removed. outcome: how the attempt ended; at: place of the fault; marked[i]: true for a
- * step with points at which the mesh differs from the sections. */
+/* A sweep whose overlaps are removed. outcome: how this has ended; at: position of the fault; marked[i]: true if the
+ * mesh differs from the exact sections in step i. */
 typedef struct {
   const vs_node *node;
   const vs_fineness *fineness;
@@ -307,7 +311,7 @@ static bool free_sweep(sweep *s, vs_mesh *m, vs_error *e) {
   if (!left.too_much && !settle(m, tolerance / 8, &left, &met, &s->at, e)) return false;
   if (left.too_much || met) return s->outcome = left.too_much ? TOO_MUCH : MEETS, true;
   if (!vs_bends_turn(s->bends, &turns)) return vs_error_memory(e, NULL);
-  /* If the caller has set the number of facets, the sections are as coarse as this demands and stay so. */
+  /* If the user has set the number of facets, the sections stay as coarse as this number requires. */
   if (!turns || s->fineness->segments > 0) return true;
   const vs_astray look = { s->node, s->bends, m, tolerance, s->options ? s->options->job : NULL };
   size_t astray;
@@ -319,7 +323,8 @@ static bool free_sweep(sweep *s, vs_mesh *m, vs_error *e) {
   return true;
 }
 
-/* Sets the error: the bend of the sweep that is too tight, the size of profile that fits, and a remedy. */
+/* Sets the error: position of the bend that is too tight, the size of a profile that would fit, and a remedy. Returns
+ * false. */
 static bool refuse(const sweep *s, vs_error *e) {
   vs_bend bend;
   char remedy[80] = "make the bend wider: no profile fits it";
@@ -337,8 +342,8 @@ static bool refuse(const sweep *s, vs_error *e) {
                       bend.at.x, bend.at.y, bend.at.z, remedy);
 }
 
-/* Marks steps up to `close` steps from marked steps, too. The test points are few, and a step may be wrong without
- * containing one. */
+/* Also marks the steps within `close` steps of a marked step. The test points are few, so a step without one may be
+ * wrong, too. Returns false if memory is out. */
 static bool mark_neighbours(sweep *s, size_t close) {
   size_t steps = vs_bends_steps(s->bends), since = close + 1;
   bool *wider = vs_zeros(steps, sizeof *wider);
@@ -357,11 +362,12 @@ static bool mark_neighbours(sweep *s, size_t close) {
   return true;
 }
 
-enum { FINE = 16, FINEST = 1024 }; /* FINE, FINEST: first and last factor by which the tolerance of steps is reduced */
+enum { FINE = 16, FINEST = 1024 }; /* factors by which the tolerance of steps is reduced, from FINE in the first attempt
+                                    * to FINEST in the last */
 
-/* Divides the steps at tight bends, makes the mesh of the sweep again, and removes its overlaps. Divides only the steps
- * at which the mesh differs from the sections, if there are any. finer: factor by which the tolerance of the steps is
- * reduced. */
+/* Divides the steps at tight bends, makes the sweep's mesh again, and removes its overlaps. If the mesh differs from
+ * the exact sections in some steps, divides only these. finer: factor by which the tolerance of the steps is reduced.
+ * Returns false on failure. */
 static bool free_finer(sweep *s, double finer, vs_mesh *m, vs_error *e) {
   size_t limit = s->options ? s->options->max_triangles : 0;
   bool some = s->outcome == STRAYS;

@@ -20,7 +20,7 @@ bool vs_primitive_mesh(const vs_node *n, const vs_fineness *f, const vs_kernel_o
 
 /* ---- meshes in the cache ---- */
 
-/* In a cache entry, the vertices follow, then the corners, each at a multiple of APART bytes (cache.c). */
+/* The vertices and the corners in a cache entry each begin at a multiple of APART bytes, after the header. */
 enum { APART = 16 };
 typedef struct { uint64_t vertices, triangles, settled; } header;
 

@@ -21,21 +21,22 @@ typedef struct {
   const vs_fineness *facets;
   const vs_kernel_options *options;
   vs_error *error;
-  vs_deformer *deformer; /* deformer for nodes of kind VS_DEFORM; NULL: none was needed yet */
-  vs_nodemap known;    /* maps an old node to the node that replaces it, which `made` retains */
+  vs_deformer *deformer; /* deformer for nodes of kind VS_DEFORM; NULL before the first such node */
+  vs_nodemap known;    /* maps an old node to the node that replaces it; `made` holds a reference to the latter */
   vs_node **made;
   size_t made_count, made_room;
 } resolver;
 
 static bool is_unresolved(const vs_node *n) { return n->flags & VS_NODE_UNRESOLVED; }
 
-/* Returns the node that replaces n, without a new reference. Returns n itself if no node replaces it. */
+/* Returns the node that replaces n, or n itself if no node does. Adds no reference. */
 static vs_node *now(const resolver *r, vs_node *n) {
   const uint64_t *place = is_unresolved(n) ? vs_nodemap_get(&r->known, n) : NULL;
   return place ? r->made[*place] : n;
 }
 
-/* Records that node `new` replaces node `old`, and takes over the reference to `new`. */
+/* Records that the node `new` replaces the node `old`. Takes over the caller's reference to `new`. Returns false if
+ * memory is out. */
 static bool remember(resolver *r, const vs_node *old, vs_node *new) {
   if (!new) return vs_error_memory(r->error, NULL);
   if (!VS_GROW(r->made, r->made_room, r->made_count + 1)) return vs_node_release(new), vs_error_memory(r->error, NULL);
@@ -58,8 +59,8 @@ static vs_node *line(vs_store *s, const vs_polyline *p) {
   return n;
 }
 
-/* Makes a node of the given kind with these children, and takes over their references. If `alone` is true, a single
- * child is returned without a node around it. */
+/* Makes a node of the given kind with the children refs. Takes over the references to them. alone: if true and there is
+ * only one child, returns this child itself. */
 static vs_node *of_children(vs_store *s, vs_kind kind, vs_ref *refs, size_t count, bool alone) {
   bool ok = true;
   static const unsigned char none[8];
@@ -93,7 +94,7 @@ static bool facets_for(const resolver *r, const vs_node *n, vs_fineness *f) {
   return true;
 }
 
-/* Collects the surfaces below `root`, members of unions too, into a single mesh. */
+/* Collects the surfaces below `root`, including members of unions, into one mesh. Returns false on failure. */
 static bool surfaces(const resolver *r, vs_ref root, const vs_fineness *f, vs_mesh *out) {
   typedef struct { vs_affine placed; } level;
   vs_walk *w = vs_walk_new(root.node->store, root);
@@ -152,8 +153,8 @@ static vs_node *flat_of(const resolver *r, const vs_ref *ref) {
   return made;
 }
 
-/* Makes the edges of shape n as exact circles, if the shape has a formula for them. Otherwise sets *known to false: the
- * caller must use the mesh. */
+/* Makes the edges of shape n as exact circles, if there is a formula for them. Otherwise sets *known to false; the
+ * caller then uses the mesh. Returns NULL on failure, or if *known is false. */
 static vs_node *round_edges(const resolver *r, const vs_node *n, const vs_origin *origin, bool *known) {
   vs_affine placed = vs_affine_identity();
   vs_vec3 at[2];
@@ -233,7 +234,8 @@ static vs_node *polyface(vs_store *s, const vs_mesh *m, bool closed) {
   return n;
 }
 
-/* Makes the hull of surfaces that all lie in one plane, from their corners. */
+/* Makes the hull of surfaces that all lie in one plane, from the corners of their triangles. Returns NULL on
+ * failure. */
 static vs_node *flat_hull_of(const resolver *r, const vs_ref *ref) {
   struct vs_hull d = *VS_AS(hull, ref->node);
   vs_fineness f;
@@ -250,7 +252,7 @@ static vs_node *flat_hull_of(const resolver *r, const vs_ref *ref) {
   return made;
 }
 
-/* Makes the hull of the children. Children that are booleans become meshes first. */
+/* Makes the hull of the node's children; children that are booleans become meshes first. Returns NULL on failure. */
 static vs_node *hull_of(const resolver *r, const vs_ref *ref) {
   const vs_node *n = ref->node;
   vs_ref *kids = vs_zeros(n->child_count + (size_t)1, sizeof *kids);
@@ -283,7 +285,7 @@ typedef struct {
   const resolver *r;
   const struct vs_slice *plane;
   const vs_origin *origin;
-  const vs_node *const *looks; /* materials and layers around the part that is being cut, the innermost last */
+  const vs_node *const *looks; /* materials and layers around the part that is being sliced, the innermost last */
   size_t look_count;
   vs_ref *at;                  /* pieces that remain after the slice */
   size_t count, room;
@@ -308,8 +310,8 @@ static bool keep_line(void *context, const vs_polyline *piece) {
   return keep_piece(p, line(p->r->store, piece));
 }
 
-/* Slices a part that is entirely a curve, region, surface or solid, and adds the pieces. placed: map from the part's
- * coordinates to those of the slice. */
+/* Slices a part that is a curve, region, surface or solid as a whole, and adds the remaining pieces. placed: map from
+ * the part's coordinates to those of the slice. Returns false on failure. */
 static bool slice_part(pieces *p, vs_ref part, const vs_affine *placed) {
   const vs_node *n = part.node;
   vs_store *s = p->r->store;
@@ -355,9 +357,9 @@ static bool slice_part(pieces *p, vs_ref part, const vs_affine *placed) {
 }
 
 static vs_node *slice_of(const resolver *r, const vs_ref *ref) {
-  typedef struct { vs_affine placed; size_t looks; } level; /* a level of the walk. placed: map to the slice's
-                                                             * coordinates; looks: number of materials and layers around
-                                                             * it */
+  typedef struct { vs_affine placed; size_t looks; } level; /* A level of the walk's stack. placed: map from its
+                                                             * coordinates to the slice's; looks: number of materials
+                                                             * and layers around it. */
   vs_ref child = { now(r, ref->node->children[0].node), ref->node->children[0].origin }, at;
   pieces p = { .r = r, .plane = VS_AS(slice, ref->node), .origin = ref->origin };
   vs_walk *w = vs_walk_new(r->store, child);
@@ -395,7 +397,7 @@ static vs_node *slice_of(const resolver *r, const vs_ref *ref) {
   return made;
 }
 
-/* Returns the node of thickened curves: makes a bar around each curve. */
+/* Returns the node of thickened curves, which has a bar around each curve; NULL on failure. */
 static vs_node *thickened(const resolver *r, const vs_node *n, vs_ref whole) {
   vs_ref *parts;
   size_t count;
@@ -455,8 +457,8 @@ static bool resolve_one(resolver *r, const vs_ref *ref) {
       vs_job_warn(r->options->job, ref->origin,
                   "the hexahedron is flat or inside out: nothing is left of the solid in the hexahedron");
   } else {
-    made = vs_node_has(n, VS_IS_UNRESOLVED) ? nothing(r->store) : rebuilt(r, n); /* a line without end becomes the empty
-                                                                                  * node here */
+    made = vs_node_has(n, VS_IS_UNRESOLVED) ? nothing(r->store) : rebuilt(r, n); /* here a line without end becomes the
+                                                                                  * empty node */
   }
   return remember(r, n, made);
 }

@@ -7,10 +7,11 @@
 #include "solids/solid_meshes.h"
 #include "model/scene.h"
 
-/* Replaces each of refs, whose nodes the caller owns, by a node without sections, shadows, feature edges and lines
- * without end. Lines without end become nothing. facets with tolerance 0: each solid has its default tolerance. Only
- * nodes with the flag VS_NODE_UNRESOLVED change, each distinct node once. With options->warns, the job receives a
- * warning for each object that becomes nothing: the edges of an object without edges, a solid in a flat hexahedron. */
+/* Replaces each of refs by a node without sections, shadows, feature edges and lines without end, which become nothing;
+ * the caller owns the nodes. If the tolerance of `facets` is 0, each solid has its default tolerance. Changes only
+ * nodes with the flag VS_NODE_UNRESOLVED, each distinct node once. If options->warns is true, the job receives a
+ * warning for each object that becomes nothing, such as the edges of an object without edges. Returns false and sets e
+ * on failure. */
 bool vs_resolve(vs_ref *refs, size_t count, const vs_fineness *facets, const vs_kernel_options *options, vs_error *e);
 
 #endif

@@ -28,7 +28,8 @@ static bool chain_add(chain *c, vs_vec2 p, vs_vec2 q) {
   return true;
 }
 
-/* Returns the frame of the plane, in whose coordinates geometry/ makes outlines. Its z axis is the normal. */
+/* Returns a frame whose XY plane is the plane through `point` with the given normal. geometry/ makes outlines in its
+ * coordinates. */
 static vs_affine plane_frame(vs_vec3 point, vs_vec3 normal) {
   vs_vec3 up = vs_plane_up(normal);
   return vs_frame_on_axis(vs_v3_scale(up, vs_v3_dot(up, point)), up);
@@ -50,7 +51,7 @@ static vs_vec3 *in_frame(const vs_mesh *m, const vs_affine *frame) {
 }
 
 static vs_vec2 crossing(const vs_vec3 *at, uint32_t a, uint32_t b) {
-  if (b < a) { /* orders the ends of the edge, so that both its triangles compute the same crossing */
+  if (b < a) { /* orders the two ends of the edge, so that both triangles at the edge compute the same crossing */
     uint32_t swap = a;
     a = b;
     b = swap;
@@ -93,7 +94,7 @@ bool vs_mesh_section(const vs_mesh *m, vs_vec3 point, vs_vec3 normal, vs_outline
       on = true;
     }
   for (int k = 0; ok && k < (on ? 2 : 1); k++) { /* If no vertex lies in the plane, the cuts just above and just below
-                                                  * it are equal, and a single cut suffices. */
+                                                  * the plane are equal, so one suffices. */
     chain c = { 0 };
     ok = cut(m, at, k == 0, &c) || vs_error_memory(e, NULL);
     ok = ok && vs_area_of_chain((const vs_vec2 (*)[2])c.at, c.count, "do-section", &parts[k], e);

@@ -11,8 +11,8 @@
 #include "geometry/files/polyface.h"
 #include "model/store/patient_sort.h"
 
-static const double sharp = 0.9396926207859084; /* cosine of 20 degrees, the least angle between faces at which their
-                                                 * edge is drawn as a crease */
+static const double sharp = 0.9396926207859084; /* cosine of 20 degrees; if the directions of two faces differ by more,
+                                                 * their edge is drawn as a crease */
 
 typedef struct { uint64_t key; uint32_t face; bool forward; } side;
 
@@ -22,8 +22,8 @@ static int side_compare(const void *p, const void *q) {
 }
 
 typedef struct { vs_vec3 normal; int8_t front; } face;
-    /* Computes the data of face i. Its member `front` is 1 if the face is seen from the front, -1 from the back, 0 if
-     * edge-on or without area. */
+    /* Computes the data of face i. front: 1 if the viewer sees its front, -1 if the back, 0 if it is seen edge-on or
+     * has no area. */
 
 static face face_of(const vs_sight *s, const uint32_t *place, size_t i) {
   const uint32_t *t = s->triangles[i];
@@ -41,14 +41,14 @@ static bool are_apart(const vs_sight *s, uint32_t a, uint32_t b) {
          (s->objects && s->objects[a] != s->objects[b]);
 }
 
-/* Returns the kind of the line at the edge between the faces of sides a and b, or VS_SIGHT_KINDS if the edge has no
+/* Returns the kind of line at the edge between the faces of the sides a and b. Returns VS_SIGHT_KINDS if there is no
  * line. */
 static vs_sight_kind kind_between(const vs_sight *s, const face *faces, const side *a, const side *b) {
   const face *f = &faces[a->face], *g = &faces[b->face];
   bool cap_f = s->caps && s->caps[a->face], cap_g = s->caps && s->caps[b->face];
   if (cap_f && cap_g) return are_apart(s, a->face, b->face) ? VS_SIGHT_PARTING : VS_SIGHT_KINDS;
   if (cap_f || cap_g) return VS_SIGHT_CUT;
-  /* if two faces contain their common edge in the same direction, one of them is reversed */
+  /* if both faces have their common edge in the same direction, the second is reversed */
   int turned = a->forward == b->forward ? -1 : 1;
   int p = f->front, q = g->front * turned;
   bool thin = a->face >= s->closed || b->face >= s->closed; /* true if the faces belong to a surface without thickness,
@@ -67,8 +67,8 @@ static bool add_edge(const vs_sight_host *host, vs_sight_edges *out, vs_sight_ed
   return true;
 }
 
-/* Returns the owner of the edge with the sides from `first` to `end`: if possible, the owner of a face that the viewer
- * sees from the front. */
+/* Returns the owner of an edge, whose sides in the faces are those from `first` to `end`: the owner of a face with its
+ * front to the viewer, if there is one. */
 static uint32_t owner_of(const vs_sight *s, const face *faces, const side *first, const side *end) {
   uint32_t owner = 0;
   for (const side *a = first; s->owners && a < end; a++)
@@ -98,8 +98,8 @@ bool vs_sight_find_edges(const vs_sight_host *host, const vs_sight *s, vs_sight_
     if ((i & 0xffff) == 0) going = vs_job_going(host->job, "drawing", -1);
     vs_sight_kind kind = VS_SIGHT_OUTLINE;
     if (end - i == 2) kind = kind_between(s, faces, &all[i], &all[i + 1]);
-    else if (all[i].face < s->closed) { /* an edge with more than two faces of solids is drawn if one of the faces is
-                                         * visible */
+    else if (all[i].face < s->closed) { /* an edge with more than two faces of solids is drawn if the viewer sees one of
+                                         * these faces */
       kind = VS_SIGHT_KINDS;
       for (size_t k = i; k < end; k++)
         if (faces[all[k].face].front > 0) kind = s->caps && s->caps[all[k].face] ? VS_SIGHT_CUT : VS_SIGHT_OUTLINE;

@@ -1,7 +1,7 @@
 /* Divides an object into pieces whose measures (volume, area, centroid) can be computed separately.
  *
- * The list of jobs contains pieces of the object that do not overlap, each with its placement and a sign. The measure
- * of a piece with a formula is added to the sum. A union is divided into its parts; a part whose box intersects no
+ * The list of jobs contains pieces of the object that do not overlap, each with its placement and a sign. If a piece
+ * has a formula, its measure is added to the sum. A union is divided into its parts; a part whose box intersects no
  * other part's box is a separate job. In a difference, cutters that do not intersect the body are ignored. If all
  * cutters lie inside a convex body, the measure is that of the body minus that of the cutters' union. All other parts
  * are collected and meshed together. Boxes that share less than 2^-28 of the object count as separate for volumes, and
@@ -17,8 +17,8 @@
 #include "model/store/array.h"
 
 enum { MOST_PARTS = 1000000, CHEAP = 60000 /* MOST_PARTS: greatest number of parts of a union that are measured
-                                            * separately. CHEAP: number of triangles up to which a finer mesh may be
-                                            * made for a better result. */ };
+                                            * separately. CHEAP: number of triangles up to which a finer mesh is made to
+                                            * improve the result. */ };
 
 typedef struct { vs_ref ref; vs_affine placed; double sign; } job;
 typedef struct { vs_ref ref; vs_affine placed; vs_bounds box; bool cutter; } part;
@@ -32,10 +32,10 @@ typedef struct {
   VS_LIST(vs_measure) formulas;
   VS_LIST(job) jobs;
   VS_LIST(part) parts;        /* parts into which the piece that is being measured is divided */
-  VS_LIST(vs_ref) rest[2];    /* parts to be meshed together: added parts in rest[0], subtracted parts in rest[1]; the
-                               * lists own these references */
-  VS_LIST(vs_node *) made;    /* nodes that were made for the pieces and are freed at the end */
-  bool rough;                 /* true if the mesh of some part overlaps itself, so that a finer mesh would take long to
+  VS_LIST(vs_ref) rest[2];    /* parts that are meshed together: rest[0] has the added parts, rest[1] the subtracted
+                               * parts; the lists hold references to their nodes */
+  VS_LIST(vs_node *) made;    /* nodes that were made for the pieces; they are released at the end */
+  bool rough;                 /* true if the mesh of some part overlaps itself; a finer mesh would then take long to
                                * compute */
   double volume, area;
   vs_vec3 moment;
@@ -50,8 +50,8 @@ static void add(measuring *m, double volume, double area, vs_vec3 centroid, doub
   m->moment = vs_v3_add(m->moment, vs_v3_scale(centroid, sign * volume));
 }
 
-static vs_ref below(vs_ref at, vs_affine *placed) { /* returns the object inside all placements, materials and layers of
-                                                     * `at`; multiplies *placed by the placements */
+static vs_ref below(vs_ref at, vs_affine *placed) { /* returns the object inside all placements, materials and layers
+                                                     * around `at`, and multiplies *placed by these placements */
   while (at.node->child_count == 1 &&
          (at.node->kind == VS_TRANSFORM || at.node->kind == VS_UNION || vs_node_is_wrapper(at.node))) {
     if (at.node->kind == VS_TRANSFORM) *placed = vs_affine_multiply(placed, &VS_AS(transform, at.node)->matrix);
@@ -60,7 +60,7 @@ static vs_ref below(vs_ref at, vs_affine *placed) { /* returns the object inside
   return at;
 }
 
-/* ---- formulas, each distinct node once ---- */
+/* ---- formulas; each distinct node is measured once ---- */
 
 static bool formula(measuring *m, vs_node *n, vs_measure *out) {
   bool found, overlaps = false;
@@ -81,7 +81,7 @@ static bool formula(measuring *m, vs_node *n, vs_measure *out) {
   return true;
 }
 
-/* Sets *done to true if a formula gives all measures of job j, and adds them. */
+/* If a formula gives all measures of job j, adds them to the sum and sets *done to true. Returns false on failure. */
 static bool by_formula(measuring *m, const job *j, bool *done) {
   vs_measure one;
   double k;
@@ -115,16 +115,16 @@ static bool box_of(measuring *m, const part *p, vs_bounds *out) {
     *out = vs_bounds_transform(out, &p->placed);
     return true;
   }
-  vs_ref ref = p->ref; /* Computes the box of the rotated object itself, because it is smaller than the rotated box of
-                        * the object. */
+  vs_ref ref = p->ref; /* Computes the box of the object after the rotation, which is smaller than its box before the
+                        * rotation, rotated. */
   vs_node *n = vs_node_new(ref.node->store, VS_TRANSFORM, &(struct vs_transform){ .matrix = p->placed }, &ref, 1);
   bool ok = n ? vs_node_bounds(n, out, m->error) : memory(m);
   vs_node_release(n);
   return ok;
 }
 
-/* Appends the parts of a union, in which unions may be nested at any depth. Sets *whole to false if there are too many
- * parts. */
+/* Appends the parts of the union `root`, including those of nested unions. *whole: false if there are too many parts.
+ * Returns false on failure. */
 static bool spread(measuring *m, vs_ref root, const vs_affine *placed, bool *whole) {
   VS_LIST(job) stack = { 0 };
   bool ok = VS_PUSH(&m->k, stack, ((job){ root, *placed, 1 })) || memory(m);
@@ -156,15 +156,16 @@ static bool join(void *set, uint32_t a, uint32_t b) {
   return true;
 }
 
-/* Sets set[i] to the first part that is connected with part i by intersecting boxes. */
+/* Finds parts that are connected through intersecting boxes. set[i]: first part of the group that contains part i.
+ * Returns false on failure. */
 static bool cluster(measuring *m, uint32_t *set) {
   uint32_t n = (uint32_t)m->parts.count;
   vs_bounds all = vs_bounds_empty();
   vs_bvh bvh = { 0 };
   vs_bvh_box *boxes = vs_fresh(n + (size_t)1, sizeof *boxes);
-  int32_t slack = m->ask == VS_ASK_AREA ? -1 : 1; /* Number of steps by which each box shrinks on each side. Boxes that
-                                                   * barely overlap count as separate for volumes, and as touching for
-                                                   * areas. */
+  int32_t slack = m->ask == VS_ASK_AREA ? -1 : 1; /* Number of steps by which each box shrinks on each side. It is 1 for
+                                                   * volumes, so that boxes that barely overlap count as separate; it is
+                                                   * -1 for areas, so that they count as touching. */
   vs_disjoint(set, n);
   for (uint32_t i = 0; i < n; i++) vs_bounds_unite(&all, &m->parts.at[i].box);
   double low[3] = { all.min.x, all.min.y, all.min.z },
@@ -186,8 +187,8 @@ static bool cluster(measuring *m, uint32_t *set) {
   return ok;
 }
 
-/* Sets *inside to true if the boxes of all cutters lie inside the convex body. For areas, they must not touch its
- * surface. */
+/* Sets *inside to true if the boxes of all cutters lie inside the convex body; for areas, they must not touch its
+ * surface. The cutters are the parts in the group `root` of `set`. Returns false on failure. */
 static bool holds(measuring *m, const part *body, const uint32_t *set, uint32_t root, bool *inside) {
   vs_affine back;
   *inside = vs_node_has(body->ref.node, VS_IS_CONVEX) && vs_affine_invert(&body->placed, &back);
@@ -205,7 +206,8 @@ static bool holds(measuring *m, const part *body, const uint32_t *set, uint32_t 
   return true;
 }
 
-/* Measures the connected parts with the numbers member[0] to member[count - 1]. root: number of the first. */
+/* Measures a group of connected parts, with the numbers member[0] to member[count - 1]. root: number of the first.
+ * Returns false on failure. */
 static bool settle_cluster(measuring *m, const uint32_t *set, const uint32_t *member, uint32_t count, double sign,
                            vs_ref whole) {
   uint32_t bodies = 0, cutters = 0, body = 0;
@@ -226,8 +228,8 @@ static bool settle_cluster(measuring *m, const uint32_t *set, const uint32_t *me
       ok = left_over(m, m->parts.at[member[i]].ref, &m->parts.at[member[i]].placed, sign);
     return ok;
   }
-  vs_ref *refs = vs_zeros(count + (size_t)1, sizeof *refs); /* refs contains first the bodies of all differences, then
-                                                             * their cutters */
+  vs_ref *refs = vs_zeros(count + (size_t)1, sizeof *refs); /* refs contains first the bodies of all differences in the
+                                                             * group, then their cutters */
   uint32_t at[2] = { 0, bodies };
   if (!refs) return memory(m);
   for (uint32_t i = 0; ok && i < count; i++) {
@@ -259,7 +261,8 @@ static bool settle_cluster(measuring *m, const uint32_t *set, const uint32_t *me
   return ok;
 }
 
-/* Measures the parts of a job, each set of connected parts together. sign: 1 or -1, with which they are added. */
+/* Measures the parts of a job, one group of connected parts after another. sign: 1 if their measures are added, -1 if
+ * subtracted. Returns false on failure. */
 static bool settle_parts(measuring *m, double sign, vs_ref whole) {
   uint32_t n = (uint32_t)m->parts.count, *set = vs_fresh(3 * (size_t)n + 3, sizeof *set);
   if (!set) return memory(m);

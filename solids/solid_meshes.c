@@ -28,21 +28,22 @@ typedef struct {
   const char *layer; /* name of the layer around this level, interned in the nodes' store */
   size_t first;    /* index in `pending` of the first operand of this level's operation */
   bool difference; /* true if this level is a difference, whose operands after the first are subtracted */
-  bool off;        /* true if solids at this level are subtracted, so that they make the result smaller */
-  uint32_t scope;  /* Number of the scope of this level: the innermost operation with finite bounds around it, outside
-                    * of which half-spaces have no effect. 0: the entire drawing. */
-  const vs_node *scope_node; /* node of the innermost bounded operation around this level; NULL: the entire drawing */
-  vs_affine local; /* map from this level's coordinates to those of the scope's node */
+  bool off;        /* true if solids at this level are subtracted from the result */
+  uint32_t scope;  /* Number of this level's scope: the innermost operation around it whose bounds are finite.
+                    * Half-spaces have no effect outside of these bounds. 0: the entire drawing. */
+  const vs_node *scope_node; /* node of this level's scope, the innermost bounded operation around it; NULL: the entire
+                              * drawing */
+  vs_affine local; /* map from this level's coordinates to those of scope_node */
 } level;
 typedef struct {
   const vs_node *node;
   vs_fineness facets;
   vs_mesh *mesh;
-  const vs_cached *held; /* cache entry that owns the arrays of the mesh; NULL: this structure owns them */
-  size_t next;           /* index, plus 1, of the next mesh in the same bucket of the hash table; 0: there is none */
+  const vs_cached *held; /* cache entry that contains the arrays of the mesh; NULL if this structure owns them */
+  size_t next;           /* index + 1 of the next mesh in the same bucket of the hash table; 0 if there is none */
   const vs_origin *origin;
-  const vs_node *scope;  /* for the mesh of a half-space: the node whose bounds the mesh must cover */
-  vs_affine local;       /* placement of the half-space in the coordinates of `scope` */
+  const vs_node *scope;  /* for the mesh of a half-space: node of its scope, whose bounds the mesh must cover */
+  vs_affine local;       /* placement of the half-space in the coordinates of the node `scope` */
 } meshed;
 typedef struct { uint32_t leaf, scope; } scoped;
 
@@ -51,38 +52,40 @@ typedef struct {
   const vs_fineness *facets;
   vs_error *error;
   VS_LIST(vs_kernel_leaf) leaves;
-  VS_LIST(const vs_origin *) origins; /* origins[i]: call in the source that made leaf i */
+  VS_LIST(const vs_origin *) origins; /* origins[i]: call in the user's text that made leaf i */
   VS_LIST(vs_kernel_term) terms;
   VS_LIST(uint32_t) operands;
-  VS_LIST(uint32_t) pending;          /* numbers of terms that will be operands of an operation that is still open */
-  VS_LIST(level) levels;              /* stack of the walk: a level for each node on the current path */
+  VS_LIST(uint32_t) pending;          /* numbers of the terms that will become operands of operations that the walk has
+                                       * not completed */
+  VS_LIST(level) levels;              /* stack of the walk: one level for each node on the path to the current node */
   VS_LIST(meshed) meshes;
   VS_LIST(vs_solid_part) parts;
   VS_LIST(uint32_t) paints;           /* paints[i]: first part with the same material and layer as part i */
   VS_LIST(uint32_t) part_table, paint_table; /* Hash tables of parts, and of parts by paint, with open addressing. An
                                               * element is the index of a part + 1; 0: the slot is free. */
-  VS_LIST(vs_bounds) within;          /* within[i]: bounds within which leaf i has an effect; empty if there are no
-                                       * half-spaces */
-  VS_LIST(uint32_t) scopes;           /* scopes[i]: number of the scope (operation with finite bounds) around scope i */
-  VS_LIST(scoped) scoped;             /* for each occurrence of each leaf: the leaf and its scope, the innermost bounded
-                                       * operation around it */
+  VS_LIST(vs_bounds) within;          /* within[i]: bounds within which leaf i can have an effect; the list is empty if
+                                       * there are no half-spaces */
+  VS_LIST(uint32_t) scopes;           /* scopes[i]: number of the next scope (bounded operation) around scope i */
+  VS_LIST(scoped) scoped;             /* pairs of a leaf and its scope (innermost bounded operation around it), one for
+                                       * each occurrence of the leaf */
   /* Hash table of meshes by their nodes' hashes. An element is the index of a mesh + 1; 0: the bucket is empty. The
    * size is a power of two, at least the number of meshes. */
   VS_LIST(size_t) buckets;
-  VS_LIST(uint32_t) twins;            /* Hash table of leaves by mesh, placement, paint and whether they are subtracted,
-                                       * with open addressing. An element is the index of a leaf + 1; 0: the slot is
-                                       * free. */
-  VS_LIST(uint8_t) off;               /* off[i]: 1 if leaf i is subtracted, so that it makes the result smaller */
-  VS_LIST(uint32_t) mesh_numbers;     /* mesh_numbers[i]: index in `meshes` of leaf i's mesh */
-  VS_LIST(uint64_t) identities;       /* identities[i]: serial number of leaf i's mesh, equal for equal meshes */
-  VS_LIST(uint32_t) plain;            /* indices in `meshes` of the meshes that threads make after the walk */
-  _Atomic size_t made;                /* number of triangles of all meshes that have been made */
-  vs_cache *cache;                    /* cache of meshes; may be NULL */
-  int depth;                          /* number of levels below a reference at which nodes count as objects
-                                       * (vs_solid_of_objects); NO_OBJECTS: none do */
-  uint32_t object;                    /* number of the object that the walk is in; 0: none */
-  bool own;                           /* true: a face belongs to its primitive (vs_solid_of_leaves); the part's object
-                                       * is the number of the primitive's mesh */
+  VS_LIST(uint32_t) twins;            /* Hash table of leaves, by mesh, placement, paint and whether they are
+                                       * subtracted; open addressing. An element is the index of a leaf + 1; 0: the slot
+                                       * is free. */
+  VS_LIST(uint8_t) off;               /* off[i]: 1 if leaf i is subtracted from the result */
+  VS_LIST(uint32_t) mesh_numbers;     /* mesh_numbers[i]: index in `meshes` of the mesh of leaf i */
+  VS_LIST(uint64_t) identities;       /* identities[i]: serial number of the mesh of leaf i; equal meshes have equal
+                                       * numbers */
+  VS_LIST(uint32_t) plain;            /* indices in `meshes` of the meshes that several threads make after the walk */
+  _Atomic size_t made;                /* number of triangles of all meshes made so far */
+  vs_cache *cache;                    /* cache of meshes; NULL if there is none */
+  int depth;                          /* how many levels below a reference a node counts as an object
+                                       * (vs_solid_of_objects); NO_OBJECTS: objects are not distinguished */
+  uint32_t object;                    /* number of the object that contains the walk's current node; 0: none */
+  bool own;                           /* true if each face is to belong to its primitive (vs_solid_of_leaves); the
+                                       * member `object` of a part is then the number of the primitive's mesh */
 } builder;
 
 static bool full(builder *b) {
@@ -95,8 +98,8 @@ static bool add_term(builder *b, vs_term_kind kind, uint32_t first, size_t count
          VS_PUSH(&b->k, b->pending, (uint32_t)b->terms.count - 1);
 }
 
-/* Makes a term of this kind whose operands are the pending terms, beginning with index `first`. The new term is then
- * pending. */
+/* Makes a term of this kind from the terms in `pending`, from index `first` on, which are its operands. The new term
+ * replaces them in `pending`. Returns false on failure. */
 static bool close_term(builder *b, vs_term_kind kind, size_t first) {
   size_t count = b->pending.count - first, at = b->operands.count;
   if (at + count >= UINT32_MAX) return full(b);
@@ -172,8 +175,8 @@ static bool buckets_grow(builder *b) {
   return true;
 }
 
-/* Adds the number of triangles to the sum over all shapes' meshes, and checks the limit. Cached meshes count like
- * others: whether the limit is exceeded must not depend on earlier runs. */
+/* Adds the triangles of a mesh to *made, the sum over all shapes, and checks the limit. Counts cached meshes, too, so
+ * that earlier runs do not affect whether the limit is exceeded. Returns false if it is. */
 static bool count_made(vs_kernel *k, _Atomic size_t *made, size_t triangles) {
   size_t limit = k->options->max_triangles, all = atomic_fetch_add(made, triangles) + triangles;
   return !limit || all <= limit * VS_ON_THE_WAY ||
@@ -204,8 +207,8 @@ static bool mesh_of(builder *b, const vs_ref *ref, const level *at, const vs_fin
     *number = (uint32_t)i - 1;
     return true;
   }
-  if (!vs_kernel_report(&b->k, 0)) return false; /* asks the caller here, because a single shape may have a million
-                                                  * triangles */
+  if (!vs_kernel_report(&b->k, 0)) return false; /* asks the caller whether to continue, because this one shape may have
+                                                  * taken long: it may have a million triangles */
   *mesh = vs_zeros(1, sizeof **mesh);
   if (!*mesh) return vs_error_memory(b->error, NULL);
   if (!VS_PUSH(&b->k, b->meshes,
@@ -215,7 +218,7 @@ static bool mesh_of(builder *b, const vs_ref *ref, const level *at, const vs_fin
   }
   *bucket = b->meshes.count;
   *number = (uint32_t)b->meshes.count - 1;
-  if (ref->node->kind == VS_HALF_SPACE) return true; /* the mesh of a half-space is made later, when the solids that it
+  if (ref->node->kind == VS_HALF_SPACE) return true; /* the mesh of a half-space is made later, once the solids that it
                                                       * cuts are known */
   const vs_kept_mesh to = { b->cache, *mesh, &b->meshes.at[*number].held };
   if (vs_node_has(ref->node, VS_IS_PLAIN))
@@ -230,13 +233,13 @@ static bool mesh_of(builder *b, const vs_ref *ref, const level *at, const vs_fin
   return false;
 }
 
-/* ---- meshes that threads make ---- */
+/* ---- meshes that several threads make ---- */
 
 enum {
   FEW = 64,
-  CHUNK = 8 /* CHUNK: number of meshes that one task makes, if there are many meshes */,
-  CURVED = 100 /* CURVED: approximate number of triangles of a curved shape */,
-  SERIAL = 10000 /* SERIAL: number of triangles below which threads cost more time than they save */
+  CHUNK = 8 /* number of meshes that one task makes if there are many */,
+  CURVED = 100 /* approximate number of triangles of a curved shape, for an estimate of the work */,
+  SERIAL = 10000 /* number of triangles below which several threads would cost more time than they save */
 };
 
 typedef struct { const builder *b; size_t chunk; _Atomic size_t *made; } making;
@@ -246,8 +249,8 @@ static bool make_some(vs_kernel *k, void *context, size_t index) {
   const builder *b = all->b;
   for (size_t i = index * all->chunk; i < (index + 1) * all->chunk && i < b->plain.count; i++) {
     const meshed *m = &b->meshes.at[b->plain.at[i]];
-    if (!vs_kernel_report(k, 0)) return false; /* asks the caller here, because a single shape may have a million
-                                                * triangles */
+    if (!vs_kernel_report(k, 0)) return false; /* asks the caller whether to continue, because this one shape may have
+                                                * taken long: it may have a million triangles */
     m->mesh->most = k->options->max_triangles * VS_ON_THE_WAY;
     if (!vs_tessellate(m->node, &m->facets, m->mesh, NULL))
       return m->mesh->over
@@ -259,7 +262,7 @@ static bool make_some(vs_kernel *k, void *context, size_t index) {
   return true;
 }
 
-/* Makes all meshes that the walk has left for the threads. */
+/* Makes the meshes that the walk has left for several threads. Returns false on failure. */
 static bool make_plain(builder *b) {
   making all = { b, b->plain.count < FEW ? 1 : CHUNK, &b->made };
   size_t faces = 0;
@@ -276,8 +279,8 @@ static bool make_plain(builder *b) {
     ok = vs_kernel_poll(&b->k, 0);
   }
   if (ok || b->k.error->status != VS_KERNEL_OUT_OF_MEMORY) return ok;
-  const meshed *m = &b->meshes.at[b->plain.at[b->k.error->leaf]]; /* makes the mesh that failed in a thread again, to
-                                                                   * obtain its error */
+  const meshed *m = &b->meshes.at[b->plain.at[b->k.error->leaf]]; /* a mesh has failed in a thread: makes it again here,
+                                                                   * to get its error */
   vs_error why = { VS_ERROR_NONE, NULL, "" };
   if (vs_tessellate(m->node, &m->facets, m->mesh, &why)) return false;
   if (!why.origin) why.origin = m->origin;
@@ -290,7 +293,7 @@ static uint64_t leaf_hash(const builder *b, const vs_kernel_leaf *leaf, bool off
   uint64_t h = (uint64_t)(uintptr_t)leaf->mesh ^ ((uint64_t)b->paints.at[leaf->tag] << 1 | off) << 40;
   for (int i = 0; i < 12; i++) {
     double x = leaf->placement.m[i / 4][i % 4] + 0.0; /* adding 0 changes -0 to 0, so that equal placements have equal
-                                                       * bits */
+                                                       * bits in the hash */
     uint64_t bits;
     memcpy(&bits, &x, sizeof bits);
     h = (h ^ bits) * UINT64_C(0x9E3779B97F4A7C15);
@@ -305,7 +308,8 @@ static bool leaf_same(const builder *owner, const vs_kernel_leaf *a, const vs_ke
   return a->mesh == b->mesh && owner->paints.at[a->tag] == owner->paints.at[b->tag];
 }
 
-/* Returns the slot of the hash table `twins` that contains an equal leaf, or the free slot for the leaf. */
+/* Returns the slot of the hash table `twins` that contains a leaf equal to `leaf`; if there is none, the free slot in
+ * which to store it. */
 static size_t twin_slot(const builder *b, const vs_kernel_leaf *leaf, bool off) {
   size_t mask = b->twins.count - 1, i = (size_t)leaf_hash(b, leaf, off) & mask;
   for (; b->twins.at[i]; i = (i + 1) & mask) {
@@ -346,10 +350,10 @@ static bool add_leaf(builder *b, const vs_ref *ref, const level *at) {
          add_term(b, VS_TERM_LEAF, b->twins.at[slot] - 1, 0);
 }
 
-/* Replaces half-spaces by bounded solids. Inside the bounds of the half-space's innermost bounded operation, such a
- * solid agrees with the half-space. Outside these bounds all other leaves of the operation are empty, so the half-space
- * has no effect. Each solid therefore has the least necessary size, and is combined only with leaves that it can
- * affect. */
+/* Replaces each half-space by a bounded solid. It agrees with the half-space inside the bounds of its scope, the
+ * innermost bounded operation around it. Outside of these bounds the half-space has no effect, because the operation is
+ * empty there. The solid is thus as small as possible, and combined only with leaves that it can affect. Returns false
+ * on failure. */
 static bool bound_half_spaces(builder *b) {
   bool any = false, ok = true;
   for (size_t i = 0; i < b->meshes.count && !any; i++) any = b->meshes.at[i].node->kind == VS_HALF_SPACE;
@@ -364,13 +368,13 @@ static bool bound_half_spaces(builder *b) {
     vs_bounds placed = vs_bounds_transform(&own[b->mesh_numbers.at[s->leaf]], &b->leaves.at[s->leaf].placement);
     vs_bounds_unite(&reach[s->scope], &placed);
   }
-  /* Enlarges each scope (bounded operation) by those inside it. Outer scopes have lower numbers, so the loop runs
-   * downwards. */
+  /* Enlarges each scope (bounded operation) by those inside it. Outer scopes have lower numbers, so the loop goes from
+   * the last to the first. */
   for (size_t i = b->scopes.count; ok && i-- > 1;) vs_bounds_unite(&reach[b->scopes.at[i]], &reach[i]);
   for (size_t i = 0; ok && i < b->leaves.count; i++)
     b->within.at[i] = b->meshes.at[b->mesh_numbers.at[i]].node->kind == VS_HALF_SPACE ? vs_bounds_empty()
                     : (vs_bounds){ vs_v3(-INFINITY, -INFINITY, -INFINITY), vs_v3(INFINITY, INFINITY, INFINITY) };
-  /* own[i] becomes the box that the mesh of half-space i must cover, over all its occurrences. */
+  /* own[i] becomes the box, over all occurrences of half-space i, that its mesh must cover. */
   for (size_t i = 0; ok && i < b->scoped.count; i++) {
     const scoped *s = &b->scoped.at[i];
     vs_affine back;
@@ -391,8 +395,8 @@ static bool bound_half_spaces(builder *b) {
   return ok || vs_error_memory(b->error, NULL);
 }
 
-/* Returns true if the walk visits the children of n: a wrapper or placement, or an operation on several children. Any
- * other node is a primitive here. */
+/* Returns true if the walk visits the children of n: a wrapper, a placement, or an operation on several children. Any
+ * other node counts as a primitive here. */
 static bool goes_in(const vs_node *n) {
   vs_role role = vs_node_role(n);
   return role == VS_ROLE_PLACED || role == VS_ROLE_SET ||
@@ -432,7 +436,7 @@ static bool enter(builder *b, vs_walk *walk, const vs_ref *ref) {
   bool solid = n->class_ == VS_SOLID || n->class_ == VS_MIXED;
   if (solid && goes_in(n)) return true;
   vs_walk_skip(walk);
-  return solid ? add_leaf(b, ref, &now) : add_term(b, VS_TERM_UNION, 0, 0); /* a node that is not a solid is an empty
+  return solid ? add_leaf(b, ref, &now) : add_term(b, VS_TERM_UNION, 0, 0); /* a node that is no solid becomes an empty
                                                                              * operand */
 }
 
@@ -492,15 +496,15 @@ static void tally_up(vs_tally *t, const vs_kernel_counts *c) {
   vs_tally_also(t, c->peak);
 }
 
-/* The destination of the result: `one` or `many`; the other pointer is NULL. depth: see the structure builder. */
+/* Where the result goes: `one` or `many`; the other pointer is NULL. depth, own: see the structure builder. */
 typedef struct {
   vs_solid *one;
   vs_solid_copies *many;
-  int depth; /* level at which nodes are objects, see the structure builder */
+  int depth; /* how many levels below a reference a node counts as an object; see the structure builder */
   bool own;
 } target;
 
-/* Adds the references to the builder as a single problem for the kernel, a union. */
+/* Adds the references to the builder as one problem for the kernel: their union. Returns false on failure. */
 static bool build(builder *b, const vs_ref *refs, size_t count) {
   bool ok = true;
   for (size_t i = 0; ok && i < count; i++) {
@@ -531,8 +535,8 @@ static bool solve(const builder *b, const vs_kernel_options *options, target to)
                 : vs_kernel_evaluate_copies(&problem, options, &to.many->meshes, b->k.error);
 }
 
-/* Warns about parts whose volume the kernel's grid has changed by more than a hundredth, with the origin of the first
- * such part. */
+/* Warns if the kernel's grid has changed the volume of parts by more than a hundredth. The warning has the origin of
+ * the first such part. */
 static void warn_coarse(const builder *b, const vs_kernel_options *options, const vs_kernel_counts *counts) {
   char message[200], more[40] = "";
   if (!counts->coarse || !options->warns) return;
@@ -545,8 +549,8 @@ static void warn_coarse(const builder *b, const vs_kernel_options *options, cons
   vs_job_warn(options->job, b->origins.at[counts->coarse_leaf], message);
 }
 
-/* Copies the kernel's error to the builder's error, with the origin of the leaf if the kernel names one. If an error
- * was already set, it remains. */
+/* Copies the kernel's error to the builder's error. If the kernel's error has a leaf, adds the origin of this leaf.
+ * Keeps an error that was already set. */
 static void take_failure(const builder *b) {
   const vs_kernel_error *why = b->k.error;
   if (why->status == VS_KERNEL_FINE) return;

@@ -8,26 +8,26 @@
 #include "kernel/evaluate.h"
 #include "model/node.h"
 
-/* The source of a face of a solid. Coplanar faces that differ only in their primitive are merged, and the merged face
- * names one of these. */
+/* The source of a face of a solid: primitive, material and layer. Coplanar faces that differ only in their primitive
+ * are merged, and the merged face has one of these primitives. */
 typedef struct {
-  const vs_material *material; /* material of the face; NULL: the model gives it none */
-  const char *layer;           /* name of the face's layer, interned in the nodes' store; NULL: none */
-  vs_ref leaf;                 /* First primitive with this material and layer, whose origin is used for all faces of
-                                * the part. It exists as long as the nodes. */
+  const vs_material *material; /* material of the face; NULL if the model gives it none */
+  const char *layer;           /* name of the face's layer, interned in the nodes' store; NULL if there is none */
+  vs_ref leaf;                 /* first primitive with this material and layer; its origin is used for all faces of the
+                                * part; valid as long as the nodes */
   uint32_t object;             /* number of the object to which the part belongs (vs_solid_of_objects); 0: objects are
                                 * not distinguished */
 } vs_solid_part;
 
 typedef struct {
-  vs_mesh mesh;         /* mesh of the solid; triangle i belongs to parts[mesh.tags[i]] */
-  vs_solid_part *parts; /* materials and layers of the solid's faces; the solid owns this array */
+  vs_mesh mesh;         /* mesh of the solid; triangle i belongs to the part parts[mesh.tags[i]] */
+  vs_solid_part *parts; /* sources of the solid's faces; the solid owns this array */
   size_t part_count;
-  size_t straightened;  /* number of corners that were removed where the kernel's grid had bent a straight cut
-                         * (kernel_options.h) */
+  size_t straightened;  /* number of corners that were removed where the kernel's grid had bent a straight cut (option
+                         * `straight` in kernel_options.h) */
 } vs_solid;
 
-/* A solid in which groups of touching solids that are copies of each other are stored once. */
+/* A solid as copies of meshes: groups of touching solids that are copies of each other are stored once. */
 typedef struct {
   vs_kernel_copies meshes;
   vs_solid_part *parts;
@@ -43,19 +43,20 @@ typedef struct { const vs_ref *at; size_t count; } vs_refs;
 bool vs_solid_evaluate(const vs_ref *refs, size_t count, const vs_fineness *facets, const vs_kernel_options *options,
                        vs_solid *out, vs_error *error);
 /* Computes the union of the solids as vs_solid_evaluate does, but keeps faces of different objects apart: coplanar
- * faces that touch stay two parts. An object is a node `depth` levels below a reference; at depth 0 it is the
- * reference's own node. */
+ * faces that touch stay two faces. An object is a node that is `depth` levels below a reference; if depth is 0, it is
+ * the reference's own node. */
 bool vs_solid_of_objects(const vs_refs *refs, int depth, const vs_fineness *facets, const vs_kernel_options *options,
                          vs_solid *out, vs_error *error);
-/* As vs_solid_evaluate, for a single object, but each face belongs to the primitive that made it: the wall of a hole to
- * the cutter. Primitives with different meshes have different parts. */
+/* Evaluates a single object as vs_solid_evaluate does, but each face belongs to the primitive that made it: the wall of
+ * a hole belongs to the cutter. Primitives with different meshes have different parts. Returns false and sets e on
+ * failure. */
 bool vs_solid_of_leaves(vs_ref ref, const vs_fineness *facets, const vs_kernel_options *options, vs_solid *out,
                         vs_error *error);
 void vs_solid_free(vs_solid *s);
 bool vs_solid_evaluate_copies(const vs_ref *refs, size_t count, const vs_fineness *facets,
                               const vs_kernel_options *options, vs_solid_copies *out, vs_error *error);
 void vs_solid_copies_free(vs_solid_copies *s);
-/* Adds the seconds of the kernel's steps to the account of the store's job. */
+/* Adds the seconds of the kernel's steps in `counts` to the account of the store's job. */
 void vs_solid_tally_steps(vs_store *s, const vs_kernel_counts *counts);
 
 #endif

@@ -1,7 +1,8 @@
 /* Implements the welding of meshes: it removes details smaller than a step.
  *
  * Where two surfaces nearly coincide, their exact union has millions of needles and crumbs. They are invisible, and the
- * next union cuts each of them again. Two steps remove them. The mesh stays a closed chain in all cases:
+ * next union cuts each of them again. Two steps remove them. The mesh stays closed: each edge has as many triangles in
+ * one direction as in the other.
  *   unite    a corner moves to the first corner that is closer than the step, if there is one. The first corners do
  *            not move, so no row of corners contracts to a point, and corners that two meshes share stay shared
  *   reroute  the longest edge of a triangle lower than the step is led through the triangle's third corner, in all
@@ -32,15 +33,15 @@ static uint64_t mixed(uint64_t h) {
 
 typedef struct { int64_t at[3]; } cell;
 
-/* Corners that do not move, in lists by their cell of a grid. A cell is several steps wide, so the corners near another
- * corner mostly lie in one or two cells. */
+/* Corners that do not move, sorted by the cells of a grid. A cell is several steps wide, so that the corners near a
+ * given corner mostly lie in one or two cells. */
 typedef struct {
   const vs_mesh *m;
   double step, width;
   size_t slots;
-  int64_t *first; /* first[h]: first corner in the list of slot h, or NONE */
-  int64_t *next;  /* next[v]: corner after v in the list of its cell of the grid, or NONE */
-  uint32_t *to;   /* to[v]: corner that replaces corner v */
+  int64_t *first; /* first[h]: first corner in the list of slot h of the hash table of cells, or NONE */
+  int64_t *next;  /* next[v]: corner after v in the list of corners of its cell, or NONE */
+  uint32_t *to;   /* to[v]: the corner that replaces corner v */
 } stay;
 
 static cell cell_of(const stay *s, vs_vec3 p, double off) {
@@ -53,7 +54,7 @@ static size_t slot_of(const stay *s, cell c) {
   return (size_t)(mixed(h * 0x94d049bb133111ebu + (uint64_t)c.at[2]) & (s->slots - 1));
 }
 
-/* Returns the first unmoved corner that is closer to v than the step, or NONE. */
+/* Returns the first of the corners that do not move and that are closer to v than the step; NONE if there is none. */
 static int64_t near_one(const stay *s, uint32_t v) {
   const vs_vec3 *at = s->m->vertices;
   cell low = cell_of(s, at[v], -s->step), high = cell_of(s, at[v], s->step), c;
@@ -118,8 +119,8 @@ static double height_of(const vs_mesh *m, const uint32_t t[3], int *longest) {
   return most > 0 ? vs_v3_length(n) / most : 0;
 }
 
-/* Lists the longest edges of low triangles, which are to be led through the third corner. If two corners qualify for an
- * edge, chooses the nearer corner. Returns the number of edges. */
+/* Lists the longest edges of triangles that are lower than the step. Each is to be led through the triangle's third
+ * corner; if two triangles have the edge, through the corner that is nearer to it. Returns the number of edges. */
 static size_t plan_detours(const vs_mesh *m, double step, detours *d) {
   size_t count = 0;
   memset(d->at, 0, d->slots * sizeof *d->at);
@@ -139,8 +140,8 @@ static size_t plan_detours(const vs_mesh *m, double step, detours *d) {
   return count;
 }
 
-/* Adds triangle t with those of its edges replaced that are led through another corner. The result is a fan of
- * triangles around one of the new corners, so that no replaced edge remains. */
+/* Adds triangle t to out, with each listed edge led through another corner. The result is a fan of triangles around one
+ * of these corners, so that no listed edge remains. Returns false if memory is out. */
 static bool add_rerouted(vs_mesh *out, const detours *d, const uint32_t t[3]) {
   uint32_t round[6];
   int n = 0, from = 0;

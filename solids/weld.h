@@ -4,10 +4,10 @@
 
 #include "model/mesh.h"
 
-/* Removes details smaller than `step` from m, in which each edge has as many triangles in one direction as in the
- * other. Unites corners closer than the step. Removes triangles lower than the step by leading their longest edge
- * through their third corner. The mesh stays closed, but may overlap itself: the surface of the solid moves by a few
- * steps at most. Returns false if memory is out; m is then unusable. */
+/* Removes details smaller than `step` from m: unites corners closer than the step, and removes triangles lower than the
+ * step by leading their longest edge through their third corner. Each edge of m has as many triangles in one direction
+ * as in the other, before and afterwards. The surface moves by a few steps at most, and may then overlap itself.
+ * Returns false if memory is out; m is then unusable. */
 bool vs_mesh_weld(vs_mesh *m, double step);
 
 /* Removes the vertices of m that belong to no triangle. Returns false when memory is out; m is then unchanged. */
