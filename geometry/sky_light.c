@@ -50,8 +50,8 @@ double vs_sky_light_twilight(double altitude) {
 
 static double altitude_of(vs_vec3 sun) { return asin(fmax(-1, fmin(1, sun.z))) * 180 / pi; }
 
-/* Sets quantity i of the sky (0: Y, 1: x, 2: y) to the value `zenith` at the zenith, and to the gradation 1 + a exp(b /
- * cos theta) at the angle theta from it. */
+/* Sets quantity i of the sky (0: Y, 1: x, 2: y). It has the value `zenith` at the zenith, and the gradation 1 + a exp(b
+ * / cos theta) at the angle theta from the zenith. */
 static void gradation(vs_sky_light *s, int i, double zenith, double a, double b) {
   s->of[i].scale = zenith / (1 + a * exp(b)), s->of[i].a = a, s->of[i].b = b;
 }

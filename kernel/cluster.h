@@ -94,8 +94,8 @@ typedef struct {
                              * triangle of the region */
   bool open;                /* true if triangles that were removed as hidden continue the region's surface */
 } vs_region;
-enum { VS_ARRANGED, VS_CULLED, VS_PLAIN }; /* what the kernel does with a triangle: cuts it against others, removes it
-                                            * as hidden, or copies it because nothing touches it */
+enum { VS_ARRANGED, VS_CULLED, VS_PLAIN }; /* treatment of a triangle by the kernel: cut against others, removed as
+                                            * hidden, or copied because nothing touches it */
 
 /* The frame and the grid of the cluster: world = frame * ((grid + offset) * step). */
 typedef struct {
@@ -239,8 +239,8 @@ static inline bool vs_too_hidden(const vs_cluster *c, size_t cuts, size_t crosse
       hidden > crossed / 4 * 3);
 }
 
-/* A list of facets with their border edges, which refer to points by the cluster's numbers. The `leaf` of each facet is
- * the tag of the face that it was made from. */
+/* A list of facets with their border edges, which refer to points by the cluster's numbers. The `leaf` of a facet is
+ * the tag of the face of which it was a part. */
 typedef struct {
   VS_LIST(vs_facet) facets; /* facets; the last element only marks the end of the border edges of the facet before it */
   VS_LIST(vs_facet_side) sides;

@@ -65,9 +65,9 @@ static bool bound_leaves(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bo
   return ok;
 }
 
-/* Divides the leaves into clusters. bounds[i]: bounds of leaf i, which the function reduces to the region where the
- * leaf can influence the result. order: receives the *count leaves that have triangles, sorted by cluster. parent[i]:
- * receives the cluster of leaf order[i]. */
+/* Divides the leaves into clusters. `bounds[i]`: bounds of leaf i, which the function reduces to the region where the
+ * leaf can influence the result. `order`: receives the *count leaves that have triangles, sorted by cluster.
+ * `parent[i]`: receives the cluster of leaf order[i]. */
 static bool find_clusters(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bounds, uint32_t *parent,
                           uint32_t *order, uint32_t *count) {
   vs_bvh_box *boxes = NULL;

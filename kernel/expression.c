@@ -14,7 +14,7 @@ typedef struct {
 } building;
 
 /* Returns true if the term `inner` can be merged into a term of kind `outer` that has it as an operand: that term then
- * gets the operands of `inner` instead. off: true if that term subtracts `inner`. */
+ * gets the operands of `inner` instead. `off`: true if that term subtracts `inner`. */
 static bool absorbed(const vs_kernel_problem *p, const building *b, vs_term_kind outer, bool off, uint32_t inner) {
   vs_term_kind kind = p->terms[inner].kind;
   if (b->uses.at[inner] != 1) return false;

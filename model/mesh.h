@@ -45,8 +45,8 @@ vs_bounds vs_mesh_placed_bounds(const vs_mesh *m, const vs_affine *a); /* Return
 bool vs_mesh_closed(const vs_mesh *m, bool *ok);
 void vs_mesh_transform(vs_mesh *m, const vs_affine *a); /* Maps the vertices of m by a. If a mirrors, also reverses the
                                                          * triangles. */
-/* Maps the vertices from number first_vertex on by a. If a mirrors, also reverses the triangles from number
- * first_triangle on. Neither number exceeds the mesh's counts. */
+/* Maps the vertices with numbers of at least first_vertex by a. If a mirrors, also reverses the triangles with numbers
+ * of at least first_triangle. Neither number exceeds the mesh's counts. */
 void vs_mesh_transform_from(vs_mesh *m, const vs_affine *a, size_t first_vertex, size_t first_triangle);
 void vs_mesh_squeeze(vs_mesh *m, const uint8_t *gone); /* Removes each triangle i for which gone[i] is not 0. Keeps all
                                                         * vertices. */

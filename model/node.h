@@ -131,8 +131,8 @@ enum {
                         * highlight) */
   VS_NODE_OPEN = 16,   /* the node or a descendant is a CUSTOM node (of define-primitive) that has no child yet */
   VS_NODE_UNRESOLVED = 32, /* solids/resolve.c must replace this node or a descendant: an endless line, or a node that
-                            * needs a solid's mesh, such as a section, a shadow, edges, a slice of a thin object, or a
-                            * hull of a carved solid */
+                            * needs a solid's mesh (a section, shadow, edges, slice of a thin object, hull of a carved
+                            * solid) */
   VS_NODE_CARVED = 64  /* the node or a descendant is an intersection or difference of solids */
 };
 

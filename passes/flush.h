@@ -5,9 +5,9 @@
 
 #include "model/scene.h"
 
-/* Enlarges some operands of the scene's differences and intersections by 2^-16 of their size: those with a face in one
- * plane with the solid that they cut, and cutters that touch another cutter face to face. The surface of the result
- * does not move. Returns false, with e set, on failure. */
+/* Enlarges some operands of the scene's differences and intersections by 2^-16 of their size. These are operands with a
+ * face in one plane with the solid that they cut, and cutters that touch another cutter face to face. The surface of
+ * the result does not move. Returns false, with e set, on failure. */
 bool vs_scene_part_flush(vs_scene *scene, vs_error *e);
 
 #endif

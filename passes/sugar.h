@@ -1,7 +1,7 @@
 /* Declares the removal of the kinds of level SUGAR before a drawing is written: only, ghost, highlight, native, and
  * kinds of define-primitive.
  *
- *   only       the drawing becomes the children of the `only` nodes, with their placements and materials
+ *   only       the drawing becomes the children of the `only` nodes, in their places and materials
  *   ghost      belongs to no solid; a format that shows previews gets it beside the drawing
  *   highlight  becomes its child; a format that shows previews also gets it beside the drawing, where it is cut away
  *   native     stays for its own program; for all others it becomes its child

@@ -174,9 +174,9 @@ typedef struct { vs_vec3 p, d; double low[2], high[2], far, length, slack; doubl
 
 static vs_vec3 place(const line *l, double s) { return vs_v3_add(l->p, vs_v3_scale(l->d, s)); }
 
-/* Clips the interval l->from to l->to of line l to where a linear function is not negative. at_from, at_to: values of
- * the function at both ends of the interval; absolute values up to slack count as 0. Returns false if at most a point
- * remains. */
+/* Clips the interval l->from to l->to of line l to where a linear function is not negative. `at_from`, `at_to`: values
+ * of the function at both ends of the interval; absolute values up to slack count as 0. Returns false if at most a
+ * point remains. */
 static bool keep(line *l, double at_from, double at_to, double slack) {
   if (fabs(at_from) <= slack) at_from = 0;
   if (fabs(at_to) <= slack) at_to = 0;

@@ -26,7 +26,7 @@ static inline vs_vec3 vs_rigid_point(const vs_rigid_motion *m, vs_vec3 p) {
                m->turn[2][0] * d.x + m->turn[2][1] * d.y + m->turn[2][2] * d.z + m->to.z);
 }
 /* Computes the left Jacobian J of the rotation group for the rotation vector w in the unknowns: rotation by w + dw
- * equals rotation by w, then by J dw, for a small dw. size is above 0. */
+ * equals rotation by w, then by J dw, for a small dw. `size` is above 0. */
 void vs_rigid_jacobian(const double unknowns[VS_RIGID_UNKNOWNS], double size, double out[3][3]);
 /* vs_rigid_map returns the motion as an affine map, vs_rigid_inverse the inverse map. */
 vs_affine vs_rigid_map(const vs_rigid_motion *m);

@@ -31,8 +31,8 @@ typedef struct {
   double deviation; /* largest distance of a triangle's centre from the surface, to first order */
 } vs_contour;
 
-/* A box from corner p to corner q, with p < q along each axis, which is divided into cubes. cells: number of cubes
- * along the box's longest side. tolerance: cubes are merged where the surface is flat within this length; 0: within
+/* A box from corner p to corner q, with p < q along each axis, which is divided into cubes. `cells`: number of cubes
+ * along the box's longest side. `tolerance`: cubes are merged where the surface is flat within this length; 0: within
  * rounding errors. */
 typedef struct { vs_vec3 p, q; int cells; double tolerance; } vs_contour_grid;
 

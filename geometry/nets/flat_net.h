@@ -22,8 +22,8 @@ typedef struct {
 bool vs_flat_net_make(vs_flat_net *s, const vs_mesh *m, bool *several);
 void vs_flat_net_free(vs_flat_net *s);
 
-/* Returns the position in the plane of a corner of triangle t: the corner opposite to edge e. ends: positions of the
- * edge's two ends; side: 1 if the corner lies to the left of the edge, -1 if to the right. */
+/* Returns the position in the plane of a corner of triangle t: the corner opposite to edge e. `ends`: positions of the
+ * edge's two ends; `side`: 1 if the corner lies to the left of the edge, -1 if to the right. */
 vs_vec2 vs_flat_net_apex(const vs_flat_net *s, uint32_t t, uint32_t e, const vs_vec2 ends[2], double side);
 /* Sets ends to the positions of the two ends, a and b, of edge e in the plane, as triangle t has them. */
 void vs_flat_net_ends(const vs_flat_net *s, uint32_t t, uint32_t e, vs_vec2 ends[2]);

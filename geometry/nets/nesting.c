@@ -34,8 +34,8 @@ static const double pi = 3.14159265358979323846;
 
 typedef struct { double x0, y0, x1, y1; } box;
 
-/* A convex piece of a part that is turned by one of the allowed angles. first: index of its first point p in the array
- * of points, and of -p in the array of opposite points. */
+/* A convex piece of a part that is turned by one of the allowed angles. `first`: index of its first point p in the
+ * array of points, and of -p in the array of opposite points. */
 typedef struct {
   size_t first, count;
   box box;

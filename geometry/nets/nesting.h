@@ -6,9 +6,10 @@
 #include "geometry/plane/areas.h"
 #include "model/long_work.h"
 
-/* The sheets, and the rules for parts on them. angles: allowed rotations, in radians; if angle_count is 0, eighths of a
- * turn, and rotations that lay long edges along the sheet's sides. gap: distance between parts; margin: distance from
- * the sheet's border. The search tries orders of the parts for about `effort` seconds; it always finishes one order. */
+/* The sheets, and the rules for parts on them. `angles`: allowed rotations, in radians; if angle_count is 0, eighths of
+ * a turn, and rotations that lay long edges along the sheet's sides. `gap`: distance between parts; `margin`: distance
+ * from the sheet's border. The search tries orders of the parts for about `effort` seconds; it always finishes one
+ * order. */
 typedef struct {
   double width, height, gap, margin;
   const double *angles;

@@ -48,7 +48,7 @@ static double within(const vs_area *a, vs_vec2 p) {
   return in ? d : -d;
 }
 
-/* Returns the largest radius of a circle about p that overlaps none of the placed circles from index `from` on. The
+/* Returns the largest radius of a circle about p that overlaps no placed circle with an index of at least `from`. The
  * result is at most so_far. */
 static double room_for(const packing *w, vs_vec2 p, double so_far, size_t from) {
   VS_ASSERT(from <= w->count);

@@ -145,9 +145,9 @@ static void agx(const double in[3], double out[3]) {
 
 /* ---- conversion of a picture ---- */
 
-/* A table that converts light to sRGB bytes (IEC 61966-2-1) without a power function for each pixel. at[i]: the least
- * light for which byte i is the nearest. first[k]: the byte with which the search begins, for light in part k of COARSE
- * equal parts of the range 0 to 1. */
+/* A table that converts light to sRGB bytes (IEC 61966-2-1) without a power function for each pixel. `at[i]`: the least
+ * light for which byte i is the nearest. `first[k]`: the byte with which the search begins, for light in part k of
+ * COARSE equal parts of the range 0 to 1. */
 enum { COARSE = 4096 };
 typedef struct { double at[256]; unsigned char first[COARSE + 1]; } screen_steps;
 

@@ -49,7 +49,7 @@ static int corner_at(const flipper *f, uint32_t t, uint32_t v) {
 }
 
 /* Returns the next triangle after t around point v, or NONE after the last one. *turned: true if the walk has reached
- * the triangulation's border and now goes clockwise, from its first triangle on. */
+ * the triangulation's border and now goes clockwise, beginning at its first triangle. */
 static uint32_t around(const flipper *f, uint32_t v, uint32_t t, bool *turned) {
   if (!*turned) {
     uint32_t n = f->next[t][(corner_at(f, t, v) + 1) % 3];

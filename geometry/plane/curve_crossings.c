@@ -15,8 +15,8 @@
 #include "geometry/plane/planar_evaluation.h"
 #include "model/store/array.h"
 
-/* An edge of a sampled curve, from a to b. curve: number of the curve; place: index of the edge in its loop; last:
- * greatest such index in this loop; low, high: range of x; slack: distance that counts as 0. */
+/* An edge of a sampled curve, from a to b. `curve`: number of the curve; `place`: index of the edge in its loop;
+ * `last`: greatest such index in this loop; `low`, `high`: range of x; `slack`: distance that counts as 0. */
 typedef struct { vs_vec2 a, b; size_t curve, place, last; double low, high, slack; } vs_cross_edge;
 
 
@@ -75,7 +75,7 @@ static bool cross_between(vs_vec2 p, vs_vec2 r, vs_vec2 q, bool *sure) {
 }
 
 /* Returns true if the end of edge p lies on edge q and the curve of p passes through the curve of q there, to its other
- * side. next_p, next_q: the edges after p and q. */
+ * side. `next_p`, `next_q`: the edges after p and q. */
 static bool cross_at_end(const vs_cross_edge *p, const vs_cross_edge *next_p, const vs_cross_edge *q,
                          const vs_cross_edge *next_q) {
   double slack = fmax(p->slack, q->slack), dx = q->b.x - q->a.x, dy = q->b.y - q->a.y, length = hypot(dx, dy);

@@ -47,8 +47,8 @@ static bool offset_far(vs_offsetter *o, vs_vec2 p, double nx, double ny) {
   return offset_push(&o->far, &o->far_count, &o->far_room, p.x + o->d * nx, p.y + o->d * ny);
 }
 
-/* Appends the current strip to the list of strips, as a counter-clockwise loop: it goes along the original line and
- * back on the far side, or the other way round if the far side is on the right. */
+/* Appends the current strip to the list of strips, as a counter-clockwise loop. If the far side is on the left, the
+ * loop goes along the original line and back on the far side; otherwise the other way round. */
 static bool offset_strip(vs_offsetter *o) {
   bool ok = true;
   size_t n = o->near_count, m = o->far_count;

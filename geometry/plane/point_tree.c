@@ -100,8 +100,8 @@ void vs_point_tree_switch(vs_point_tree *t, size_t item, bool on) {
                                                                                                            * it */
 }
 
-/* Returns true if the whole box is clearly to the right of the line from p to q. flat: tolerance for twice the area of
- * a triangle of p, q and a point; the box gets twice as much, which exceeds rounding errors. */
+/* Returns true if the whole box is clearly to the right of the line from p to q. `flat`: tolerance for twice the area
+ * of a triangle of p, q and a point; the box gets twice as much, which exceeds rounding errors. */
 static bool tree_beyond(const vs_point_box *b, vs_vec2 p, vs_vec2 q, double flat) {
   /* most: the corner of the box that is farthest to the left of the line */
   vs_vec2 most = { q.y > p.y ? b->min_x : b->max_x, q.x > p.x ? b->max_y : b->min_y };

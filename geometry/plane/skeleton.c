@@ -105,8 +105,8 @@ static long double extent(const vs_skeleton_outline *o, size_t n) {
   return n ? hypotl((long double)x[1] - x[0], (long double)y[1] - y[0]) : 0;
 }
 
-/* Makes a moving line and a start node for each edge of the outline, with the inside on its left. next[i]: receives the
- * edge after edge i. edge_of[i]: receives the index in the outline of the edge of line i. */
+/* Makes a moving line and a start node for each edge of the outline, with the inside on its left. `next[i]`: receives
+ * the edge after edge i. `edge_of[i]`: receives the index in the outline of the edge of line i. */
 static bool start_wave(const vs_skeleton_outline *o, const rings *r, vs_wave *w, uint32_t *next, uint32_t *edge_of) {
   size_t n = r->count;
   if (!VS_GROW(w->line, w->line_room, n) || !VS_GROW(w->node, w->node_room, n)) return false;

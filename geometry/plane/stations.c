@@ -16,7 +16,7 @@ void vs_stations_close(vs_stations *s) {
 
 static size_t span_count(const vs_stations *s) { return s->path.count - (s->path.closed ? 0 : 1); }
 /* Returns the sample at the end of span i, which is the curve between samples i and i + 1 (on a closed curve, the last
- * span ends at the first sample). i is below s->path.count. */
+ * span ends at the first sample). `i` is below s->path.count. */
 static const vs_path_point *span_end(const vs_stations *s, size_t i) {
   VS_ASSERT(i < s->path.count);
   return &s->path.at[i + 1 < s->path.count ? i + 1 : 0];

@@ -22,7 +22,7 @@ typedef struct {
   /* Sets volume, area and centroid in m, where m->known is true at the call. Sets m->known to false if there is no
    * formula. If `area` is false, the area is not needed, and may be set to 0. Returns false on failure. */
   bool (*measure)(const vs_node *n, bool area, vs_measure *m, vs_error *e);
-  /* Returns true if p, which lies in the bounds of n, is inside n or on its surface. q: p in a frame whose Z axis is
+  /* Returns true if p, which lies in the bounds of n, is inside n or on its surface. `q`: p in a frame whose Z axis is
    * the shape's axis, from its base at 0 to its top at `height`; equal to p if the kind has no axis. */
   bool (*holds)(const vs_node *n, vs_vec3 p, vs_vec3 q, double height);
   /* Returns n mapped by a, as a node of the same kind in store s. Returns NULL and sets *fits to false if the mapped

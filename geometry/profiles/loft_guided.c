@@ -135,7 +135,7 @@ static void guided_row(const guided_frame *f, const vs_vec3 *local, size_t n, vs
 }
 
 /* Returns the slope of a vector of the sections' descriptions at section i: its derivative by the arc length of the
- * path. c: index of the vector in a description; n: number of vectors in a description. There are at least two
+ * path. `c`: index of the vector in a description; `n`: number of vectors in a description. There are at least two
  * sections. */
 static vs_vec3 guided_slope(const guided_way *way, size_t n, size_t i, size_t c) {
   const vs_vec3 *local = way->local;

@@ -51,8 +51,8 @@ vs_vec3 vs_loft_end_slope(vs_vec3 a, vs_vec3 m) {
   return aa > 0 && along < 0 ? vs_v3_sub(out, vs_v3_scale(a, along / aa)) : out;
 }
 
-/* Returns the slope of the path of the centres at a section. a, b: mean slopes before and after the section; h, k:
- * lengths of the parts before and after it; n: normal of the section, or zero. */
+/* Returns the slope of the path of the centres at a section. `a`, `b`: mean slopes before and after the section; `h`,
+ * `k`: lengths of the parts before and after it; `n`: normal of the section, or zero. */
 static vs_vec3 loft_center_slope(vs_vec3 a, vs_vec3 b, double h, double k, vs_vec3 n) {
   vs_vec3 whole = vs_loft_slope(a, b, h, k);
   double up = vs_v3_dot(a, n), on = vs_v3_dot(b, n);
@@ -86,8 +86,8 @@ double vs_loft_hermite_steps(vs_vec3 p, vs_vec3 q, vs_vec3 m, vs_vec3 k, const v
 
 /* Computes into how many pieces, k, the wall between two rows must be cut; returns k, 1 to 64, for all rows. Between
  * lines that are not parallel the wall is a saddle: two triangles deviate from its middle by a quarter of its twist,
- * and the error decreases with the number of pieces in both directions. edges[c]: receives the number of pieces of each
- * section's edge at column c; unused for the last column of an open loop. */
+ * and the error decreases with the number of pieces in both directions. `edges[c]`: receives the number of pieces of
+ * each section's edge at column c; unused for the last column of an open loop. */
 static double loft_saddle(const vs_loft *l, const vs_fineness *f, uint32_t *edges) {
   enum { MOST = 64 };
   double most = 0;

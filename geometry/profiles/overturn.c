@@ -174,9 +174,9 @@ static int sort_cell(uint32_t c[3]) {
   return even;
 }
 
-/* Appends the faces of those tetrahedra of a prism that have a negative volume, twice and facing outwards. low, high:
- * vertices of the two sections; cell: the prism's triangle; hand: 1, or -1 if this triangle is clockwise in its
- * section. Returns false when memory is out. */
+/* Appends the faces of those tetrahedra of a prism that have a negative volume, twice and facing outwards. `low`,
+ * `high`: vertices of the two sections; `cell`: the prism's triangle; `hand`: 1, or -1 if this triangle is clockwise in
+ * its section. Returns false when memory is out. */
 static bool add_prism(vs_mesh *m, const uint32_t *low, const uint32_t *high, const uint32_t cell[3], int hand) {
   uint32_t c[3] = { cell[0], cell[1], cell[2] };
   int even = sort_cell(c);
@@ -232,9 +232,9 @@ bool vs_overturn_fill(const vs_overturn_rows *rows, size_t first, vs_mesh *out) 
 
 /* ---- chance points ---- */
 
-/* State of the choice of random points in tetrahedra. chance: state of the generator (SplitMix64: Steele, Lea, Flood,
- * 2014); passed: volume of the tetrahedra so far; next: volume at which the next point is chosen; every: volume between
- * two points; 0: only `passed` is computed. */
+/* State of the choice of random points in tetrahedra. `chance`: state of the generator (SplitMix64: Steele, Lea, Flood,
+ * 2014). `passed`: volume of the tetrahedra so far. `next`: volume at which the next point is chosen. `every`: volume
+ * between two points; if it is 0, only `passed` is computed. */
 typedef struct {
   uint64_t chance;
   double passed, next, every;

@@ -4,8 +4,8 @@
 
 #include "geometry/profiles/swept.h"
 
-/* Returns true if a part of the profile goes backwards from section `step` to the next section. at: the points of all
- * sections, one section after another; for a joined sweep, those of the first section follow again. size: size of the
+/* Returns true if a part of the profile goes backwards from section `step` to the next section. `at`: the points of all
+ * sections, one section after another; for a joined sweep, those of the first section follow again. `size`: size of the
  * sweep. The sections' x and y are right-handed about the path's direction. */
 bool vs_overturns(const vs_swept *s, const vs_vec3 *at, size_t step, double size);
 
@@ -19,8 +19,8 @@ bool vs_overturn_refine(vs_swept *s, const bool *marked, double tolerance);
  * too tight, *at and *fits are not changed. */
 void vs_overturn_tightest(const vs_swept *s, const vs_vec3 *near, vs_vec3 *at, double *fits);
 
-/* The vertices of a sweep's mesh. numbers[r * n + i]: vertex of point i in row r. turns[r]: true if a part of the
- * profile goes backwards from row r to the next; the walls there are divided by number (grid.h). inside_out: true if
+/* The vertices of a sweep's mesh. `numbers[r * n + i]`: vertex of point i in row r. `turns[r]`: true if a part of the
+ * profile goes backwards from row r to the next; the walls there are divided by number (grid.h). `inside_out`: true if
  * the triangles have been reversed. */
 typedef struct {
   const vs_swept *s;
@@ -39,8 +39,8 @@ typedef struct {
   vs_vec3 at;
   size_t step;
 } vs_step_point;
-/* All steps of a sweep. at: the points of all sections, one section after another, and those of the first section
- * again. turns[r]: true if a part of the profile goes backwards from section r to the next. */
+/* All steps of a sweep. `at`: the points of all sections, one section after another, and those of the first section
+ * again. `turns[r]`: true if a part of the profile goes backwards from section r to the next. */
 typedef struct {
   const vs_swept *s;
   const vs_vec3 *at;

@@ -58,8 +58,9 @@ static vs_vec2 profile_flat(const vs_profile_plane *p, vs_vec3 at) {
 }
 
 static bool swept_room(vs_swept *s, size_t points, size_t loops) {
-  s->profile = malloc((points ? points : 1) * sizeof *s->profile); /* at least one element: for an empty region, without
-                                                                    * points, malloc(0) might return NULL */
+  s->profile = malloc((points ? points : 1) * sizeof *s->profile); /* at least one element, even for an empty region,
+                                                                    * because an allocation of 0 bytes might return
+                                                                    * NULL */
   s->sizes = malloc((loops ? loops : 1) * sizeof *s->sizes);
   s->hole = malloc((loops ? loops : 1) * sizeof *s->hole);
   return s->profile && s->sizes && s->hole;
@@ -207,7 +208,7 @@ static vs_vec3 swept_lean_between(const vs_path_point *p, const vs_path_point *q
   return vs_v3_add(vs_v3_scale(a, t < from ? 1 - t / from : 0), vs_v3_scale(b, 1 - t < to ? 1 - (1 - t) / to : 0));
 }
 
-/* Returns the section at point p of the path. x: first direction of the profile before it is turned by `angle` and
+/* Returns the section at point p of the path. `x`: first direction of the profile before it is turned by `angle` and
  * inclined by `lean`; its second direction is perpendicular to x and to the path. */
 static vs_section swept_section(const vs_path_point *p, vs_vec3 lean, vs_vec3 x, double angle, double scale,
                                 vs_vec2 base) {
@@ -302,8 +303,8 @@ static double swept_spin(const vs_upright *u, const vs_path_point *corner) {
   return atan2(vs_v3_dot(a, vs_v3_cross(before, x)), vs_v3_dot(before, x));
 }
 
-/* Returns how far two triangles deviate from the surface that the profile's edge from p to q sweeps between sections a
- * and b: a quarter of the distance by which the four corners differ from a plane. */
+/* Returns how far two triangles deviate from the surface that the edge from p to q sweeps between sections a and b. It
+ * is a quarter of the distance by which the surface's four corners differ from a plane. */
 static double swept_saddle(const vs_section *a, const vs_section *b, vs_vec2 p, vs_vec2 q) {
   vs_vec3 at[2][2], most = { 0, 0, 0 };
   for (int i = 0; i < 2; i++) {
@@ -321,8 +322,8 @@ static double swept_saddle(const vs_section *a, const vs_section *b, vs_vec2 p, 
   return length > 0 ? fabs(vs_v3_dot(bend, most)) / length / 4 : 0;
 }
 
-/* Divides parts of the path between two sections where the walls are not planar: an upright profile turns where the
- * path climbs out of a bend, and a profile that grows or shrinks between two mitres has curved walls. Such a part is
+/* Divides parts of the path where the walls between two sections are not planar. An upright profile turns where the
+ * path climbs out of a bend. A profile that grows or shrinks between two mitres has curved walls. Such a part is
  * divided into n steps and each edge into k pieces, so that the deviation of the triangles, which decreases with n k,
  * is within the tolerance. If the sweep has a seam, edges are not divided. Returns false when memory is out. */
 static bool swept_flatten(vs_swept *s, const vs_fineness *f) {

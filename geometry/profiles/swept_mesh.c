@@ -7,9 +7,9 @@
 #include "geometry/profiles/overturn.h"
 #include "model/store/array.h"
 
-/* Points of a sweep's sections. at: the points of all sections, one section after another, and then those of the first
- * section again. turns[i]: true if a part of the profile goes backwards from section i to the next. numbers: memory for
- * the vertex of each point. */
+/* Points of a sweep's sections. `at`: the points of all sections, one section after another, and then those of the
+ * first section again. `turns[i]`: true if a part of the profile goes backwards from section i to the next. `numbers`:
+ * memory for the vertex of each point. */
 typedef struct {
   vs_vec3 *at;
   bool *turns;

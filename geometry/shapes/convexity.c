@@ -113,7 +113,7 @@ typedef struct {
   double size;
 } rings;
 
-/* Returns true if a path over the vertices a, b and c, as seen along `normal`, turns left at b or goes straight on.
+/* Returns true if a path over the vertices a, b and c turns left at b or stays straight, as seen along `normal`.
  * Returns false if it turns right or back. */
 static bool left(const rings *r, uint32_t a, uint32_t b, uint32_t c, vs_vec3 normal) {
   const vs_vec3 *v = r->s->m->vertices;

@@ -147,8 +147,8 @@ static bool step(const vs_face_list *l, const crease_list *creases, bool loop, v
     if (n > 0 && loop) {
       double beta = loop_beta(n);
       smooth = vs_v3_add(vs_v3_scale(p, 1 - n * beta), vs_v3_scale(g[i].neighbours, beta));
-    } else if (n > 0) { /* The new position is (F + 2 R + (n - 3) P) / n, where P is the old position, n the number of
-                         * faces at the point, F the mean of their centroids, and R the mean of the midpoints of the
+    } else if (n > 0) { /* The new position is (F + 2 R + (n - 3) P) / n. P is the old position, and n the number of
+                         * faces at the point. F is the mean of their centroids, and R the mean of the midpoints of the
                          * point's edges. */
       vs_vec3 r = vs_v3_scale(vs_v3_add(vs_v3_scale(p, n), g[i].neighbours), 1 / (2 * n));
       vs_vec3 f = vs_v3_scale(g[i].across, 1.0 / g[i].faces);

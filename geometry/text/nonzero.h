@@ -6,8 +6,8 @@
 #include "geometry/plane/ear_clipping.h"
 #include "model/node.h"
 
-/* A closed loop: `count` points of the array `at` of vs_flat_loops, from index `first` on. The first point is not
- * repeated at the end. */
+/* A closed loop: `count` points of the array `at` of vs_flat_loops, beginning with index `first`. The first point is
+ * not repeated at the end. */
 typedef struct { size_t first, count; bool hole; } vs_flat_loop;
 typedef struct {
   vs_vec2 *at;

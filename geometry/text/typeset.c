@@ -149,7 +149,7 @@ static vs_font_point text_at(vs_font_point p, const vs_glyph_step *s, double t) 
                           w[0] * p.y + w[1] * s->a.y + w[2] * s->b.y + w[3] * s->to.y };
 }
 
-/* Appends the contours of one glyph to the loops, in model units relative to the text's point. tolerance: largest
+/* Appends the contours of one glyph to the loops, in model units relative to the text's point. `tolerance`: largest
  * distance of a chord from its curve, in font units, unless the number of segments in a full turn is given by segments
  * > 0. */
 static bool text_glyph_loops(const vs_text_glyph *at, double scale, double tolerance, int segments,
@@ -217,8 +217,8 @@ static vs_vec3 text_lift(const vs_text_glyph *g, double scale, vs_vec3 p, const 
 }
 
 /* Finds the parameters, between 0 and 1, at which a coordinate of a Bezier curve is greatest or least: the zeros of its
- * derivative. c: this coordinate of the curve's control points, 4 if `cubic` is true, else 3. Writes the parameters to
- * t and returns their number. */
+ * derivative. `c`: this coordinate of the curve's control points, 4 if `cubic` is true, else 3. Writes the parameters
+ * to t and returns their number. */
 static int text_turns(const double *c, bool cubic, double t[2]) {
   double a = cubic ? c[3] - 3 * c[2] + 3 * c[1] - c[0] : 0,
          b = cubic ? 2 * (c[2] - 2 * c[1] + c[0]) : c[2] - 2 * c[1] + c[0], d = c[1] - c[0];

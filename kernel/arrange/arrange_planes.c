@@ -35,8 +35,8 @@ typedef struct {
   uint8_t axis;    /* coordinate axis (0, 1 or 2) along which the ends p and q are far apart */
 } segment;
 typedef struct { uint32_t segment, point; } incidence;
-/* The part of a segment between two neighbouring points on it, from the sweep's vertex l to its vertex r. delta: number
- * of layers of the leaf's surface directly above this part minus the number directly below. */
+/* The part of a segment between two neighbouring points on it, from the sweep's vertex l to its vertex r. `delta`:
+ * number of layers of the leaf's surface directly above this part minus the number directly below. */
 typedef struct { uint32_t l, r, leaf; int32_t delta; uint32_t side; } piece;
 
 /* Output of one task, which arranges a chunk of planes. A point number from VS_POINT_MORE on is an index in `fresh`. */

@@ -255,7 +255,7 @@ static bool strictly_inside(vs_points_view view, const outline *o, uint32_t prob
 }
 
 /* Chooses a place inside the outline for a ray along w->axis. Seen along this axis, the place is on a line v = const,
- * in the middle of the longest interval between two crossings of the line with the boundary. attempt: number of the
+ * in the middle of the longest interval between two crossings of the line with the boundary. `attempt`: number of the
  * trial, which selects the line. */
 static bool aim(walk *w, const outline *o, int attempt) {
   vs_cluster *c = w->c;

@@ -22,9 +22,10 @@
 
 #define FRESH (UINT32_C(1) << 31)
 
-typedef struct { uint32_t a, b, p, q, cut; } contact; /* a, b: indices of two facets that touch; p, q: point numbers of
-                                                       * the ends of the segment that they share; cut: bit 0: the
-                                                       * segment is new in facet a; bit 1: it is new in facet b */
+typedef struct { uint32_t a, b, p, q, cut; } contact; /* Two facets that touch. a, b: indices of the facets. p, q:
+                                                       * numbers of the points at the ends of their common segment.
+                                                       * `cut`: bit 0: the segment is new in facet a; bit 1: it is new
+                                                       * in facet b. */
 
 enum { BREAK = 0, UP = 1, DOWN = 2 };
 typedef struct {

@@ -4,10 +4,10 @@
 
 #include "kernel/cluster.h"
 
-bool vs_meet_patches(vs_kernel *k, vs_cluster *c);                     /* makes c->cuts, the segments in which patches
+bool vs_meet_patches(vs_kernel *k, vs_cluster *c);                     /* Makes c->cuts, the segments in which patches
                                                                         * cut each other, and unites touching facets of
-                                                                        * one plane to groups; returns false on an
+                                                                        * one plane to groups. Returns false on an
                                                                         * error, or if there are so many cuts that the
-                                                                        * solids must be united two by two */
+                                                                        * solids must be united two by two. */
 
 #endif

@@ -50,8 +50,8 @@ typedef struct {
   VS_LIST(vs_bvh_box) boxes;        /* boxes[i]: bounding box of block i of triangles */
   vs_bvh bvh;
   VS_LIST(_Atomic uint8_t) fans; /* fans[v]: state of vertex v. 1: its triangles form a single fan that goes around
-                                  * once; 2 or more: they do not; PROVEN: the vertex has very many triangles, and the
-                                  * search for hubs has proven them to be such a fan. */
+                                  * once. 2 or more: they do not. PROVEN: the vertex has very many triangles, which the
+                                  * search for hubs has proven to be such a fan. */
   VS_LIST(vs_hubs) hubs;         /* hubs[i]: corners of leaf i, on the grid, at which very many triangles end */
   VS_LIST(_Atomic uint32_t) sets;
 } plain;

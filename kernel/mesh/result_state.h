@@ -6,12 +6,12 @@
 #include "kernel/cluster.h"
 #include "kernel/mesh/triangulate.h"
 
-typedef struct { VS_LIST(uint32_t) uses, firsts, seams; } vs_found_edges; /* Edges that a task found in its range. uses:
-                                                                           * boundary edges of faces; firsts: for each
-                                                                           * edge, the position in `uses` of its first
-                                                                           * boundary edge; seams: indices in `firsts`
-                                                                           * of edges at which the grid has split a
-                                                                           * planar facet. */
+typedef struct { VS_LIST(uint32_t) uses, firsts, seams; } vs_found_edges; /* Edges that a task found in its range.
+                                                                           * `uses`: boundary edges of faces; `firsts`:
+                                                                           * for each edge, the position in `uses` of
+                                                                           * its first boundary edge; `seams`: indices
+                                                                           * in `firsts` of edges at which the grid has
+                                                                           * split a planar facet. */
 typedef struct { uint32_t v[3], tag, look; } vs_cut_triangle; /* v: point numbers of the triangle's corners; look: 2 *
                                                                * number of the triangle's plane, plus 1 if the triangle
                                                                * faces against the plane's normal */

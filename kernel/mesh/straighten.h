@@ -7,8 +7,8 @@
 
 /* Sets w->lone[p] for each plane p: the only facet in the plane, or VS_NONE. Returns false on failure. */
 bool vs_sheets_begin(vs_result_state *w);
-/* Returns true if the edge that a and b, boundary edges of two faces, have in common can be a seam: an edge between two
- * facets of one sheet (planar facet that the grid has split). */
+/* Returns true if an edge can be a seam: an edge between two facets of one sheet (planar facet that the grid has
+ * split). a, b: the edge as a boundary edge of each of its two faces. */
 bool vs_sheets_seam(const vs_result_state *w, const vs_use *a, const vs_use *b);
 /* Finds the sheets (planar facets that the grid has split) whose cuts may lose bends; w->sheets stays NULL if there are
  * none. Returns false on failure. */

@@ -145,8 +145,8 @@ static bool unite(vs_rounding *s, double units, bool all, vs_rounded *out, size_
 
 /* ---- rerouting of edges ---- */
 
-/* A triangle that is too low (a cap). low, high: vertices at the ends of its longest edge, with low < high; top: its
- * third vertex; along: position of the third vertex along the longest edge. */
+/* A triangle that is too low (a cap). `low`, `high`: vertices at the ends of its longest edge, with low < high; `top`:
+ * its third vertex; `along`: position of the third vertex along the longest edge. */
 typedef struct { uint32_t low, high, top; double along; } cap;
 typedef VS_LIST(cap) caps;
 typedef VS_LIST(uint32_t) corners;

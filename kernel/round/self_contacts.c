@@ -82,8 +82,8 @@ typedef struct {
                                   * in units of the mesh */
 } run;
 
-/* The range of a run's coordinates along each axis. near_low: true if a second corner of the run is within the margin
- * of the low end of the range; near_high: the same for the high end. */
+/* The range of a run's coordinates along each axis. `near_low`: true if a second corner of the run is within the margin
+ * of the low end of the range; `near_high`: the same for the high end. */
 typedef struct { double low[3], high[3]; bool near_low[3], near_high[3], any; /* any: true if the run is a single
                                                                                * triangle that is low or has changed,
                                                                                * which is tested against all planes of
@@ -182,8 +182,8 @@ static bool apart(const sheet *a, const sheet *b) {
 
 /* ---- runs ---- */
 
-/* A triangle that is to be added to a run. longest: square of its longest edge; height: square of its least height;
- * low: true if the triangle is too low to share a run with others. */
+/* A triangle that is to be added to a run. `longest`: square of its longest edge; `height`: square of its least height;
+ * `low`: true if the triangle is too low to share a run with others. */
 typedef struct { vs_vec3 at[3], normal; vs_bounds box; double longest, height; bool low; } facet;
 
 /* Returns triangle t of the mesh with its normal, box and sizes. */

@@ -29,7 +29,7 @@ int vs_picture_direction(double x, double y, double z);
  * `across` points right and `up` points up; on horizontal faces, they are x, and y or -y. */
 void vs_picture_axes(int direction, double across[3], double up[3]);
 /* Sets out to the position of `point` (in metres) on a picture, as fractions of its width and height, counted from its
- * lower left corner. width, height: size of the picture in metres, above 0; angle: its rotation in degrees. */
+ * lower left corner. `width`, `height`: size of the picture in metres, above 0; `angle`: its rotation in degrees. */
 void vs_picture_place(double width, double height, double angle, int direction, const double point[3], double out[2]);
 
 #endif
