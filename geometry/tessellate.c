@@ -137,8 +137,8 @@ struct vs_bends {
   vs_swept plan;
   vs_affine placed; /* map from the coordinates of the planned sections to the coordinates outside of all placements
                      * around the sweep */
-  double scale;     /* factor by which a tolerance is multiplied to convert it from the coordinates outside of the
-                     * placements to those of the sweep */
+  double scale;     /* factor that converts a tolerance from the coordinates outside of the placements to the
+                     * coordinates of the sweep */
 };
 
 vs_bends *vs_bends_new(const vs_node *n, const vs_fineness *f, vs_error *e) {

@@ -123,9 +123,9 @@ static bool close_border(clipper *c) {
   if (!VS_PUSH(c->k, c->vertices, sum) || !VS_PUSH(c->k, c->beyond, 0.0)) return false;
   for (size_t i = 0; i < n; i++)
     for (edge e = c->edges.at[i]; e.number != 0; e.number += e.number > 0 ? -1 : 1) {
-      uint32_t from = e.number > 0 ? e.high : e.low, to = e.number > 0 ? e.low : e.high; /* the cone's triangle runs
-                                                                                          * along the edge against the
-                                                                                          * direction of the border */
+      uint32_t from = e.number > 0 ? e.high : e.low, to = e.number > 0 ? e.low : e.high; /* the cone's triangle contains
+                                                                                          * this edge in the opposite
+                                                                                          * direction to the border */
       if (!keep(c, from, to, apex)) return false;
     }
   return true;

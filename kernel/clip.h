@@ -7,7 +7,7 @@
 
 typedef struct {
   VS_LIST(vs_vec3) vertices;
-  VS_LIST(uint32_t) corners; /* corners of the cut mesh: three vertex numbers for each triangle */
+  VS_LIST(uint32_t) corners; /* triangles of the cut mesh: three vertex numbers for each */
   vs_mesh mesh;              /* the cut mesh; its arrays are the lists `vertices` and `corners` above */
 } vs_clip;
 

@@ -92,7 +92,8 @@ typedef struct {
                              * `faces`, set after the planes are arranged */
   uint32_t count, triangle; /* count: number of triangles in the region; triangle: index, in the leaf's mesh, of a large
                              * triangle of the region */
-  bool open;                /* true if triangles that were removed as hidden continue the region's surface */
+  bool open;                /* true if hidden triangles, which were removed, belonged to the same surface beside the
+                             * region */
 } vs_region;
 enum { VS_ARRANGED, VS_CULLED, VS_PLAIN }; /* treatment of a triangle by the kernel: cut against others, removed as
                                             * hidden, or copied because nothing touches it */
@@ -154,7 +155,8 @@ typedef struct {
                                   * VS_ARRANGED, VS_CULLED or VS_PLAIN. If the list is empty, all triangles are
                                   * arranged. */
   size_t plain_count;
-  VS_LIST(uint32_t) region_of;   /* for each untouched triangle: index of its region in `regions` */
+  VS_LIST(uint32_t) region_of;   /* region_of[t]: for untouched triangle t, the index in `regions` of the region that
+                                  * contains it */
   VS_LIST(vs_region) regions;
   VS_LIST(uint32_t) point_of;    /* point_of[v]: for vertex v, numbered over the meshes of all leaves: its number in
                                   * `points`, if its mesh has untouched triangles and others; else VS_NONE */
@@ -171,7 +173,7 @@ typedef struct {
                            * between two facets of one sheet */
   VS_LIST(vs_patch) patches;
   VS_LIST(vs_patch_corner) patch_corners;
-  VS_LIST(vs_bvh_box) boxes; /* bounding boxes of the patches, in steps */
+  VS_LIST(vs_bvh_box) boxes; /* bounding boxes of the patches, in grid steps */
   vs_bvh bvh;
   VS_LIST(vs_facet_cut) cuts;
   VS_LIST(vs_edge) edge_of; /* edge_of[p]: an input edge that contains the intersection point p; both ends are 0 for a
@@ -205,7 +207,8 @@ typedef struct {
                           * wound */
   VS_LIST(uint32_t) side_cell; /* cells (connected pieces of space) beside a face: element [2 * face] is the number of
                                 * the cell on its + side, [2 * face + 1] on its - side */
-  VS_LIST(int32_t) wound;      /* wound[c]: winding number of the leaf in cell c */
+  VS_LIST(int32_t) wound;      /* wound[c]: winding number of the only leaf (placed mesh) in cell c (connected piece of
+                                * space) */
 } vs_cluster;
 
 /* Enlarges box b, in grid steps, so that it contains point p. A fractional coordinate is rounded both down and up. */

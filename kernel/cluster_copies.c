@@ -103,7 +103,7 @@ static bool put_key(vs_kernel *k, vs_copies *c, vs_group leaves, uint64_t *hash,
   return true;
 }
 
-/* Enlarges the hash table if it has no more room for another cluster. */
+/* Enlarges the hash table of clusters if it has no room for one more. */
 static bool heads_grow(vs_kernel *k, vs_copies *c) {
   if (c->originals.count < c->heads.count) return true;
   size_t want = c->heads.count * 4;

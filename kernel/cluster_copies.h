@@ -14,10 +14,10 @@ typedef struct { const uint32_t *at; uint32_t count; } vs_group;
  * number of elements. `next`: index of the next such cluster in its slot of the hash table. */
 typedef struct { uint64_t hash; size_t key, length; vs_group leaves; uint32_t next; } vs_original;
 
-/* Describes which earlier cluster a cluster copies. */
+/* Result of the search for an earlier cluster of which a cluster is a copy. */
 typedef struct {
   uint32_t original;         /* index in `originals` of the earlier cluster; for a new original, its own index */
-  bool is_new;               /* true if the cluster equals no earlier one and became a new original */
+  bool is_new;               /* true if no earlier cluster is equal, so that the cluster was added to `originals` */
   vs_affine map;             /* map that moves the earlier cluster to the place of its copy; for a new original, the
                               * identity */
 } vs_cluster_copy;
@@ -29,7 +29,7 @@ typedef struct {
   VS_LIST(vs_original) originals;
   VS_LIST(uint64_t) keys;    /* keys of all original clusters, one after another, and then the key of the current
                               * cluster */
-  VS_LIST(uint32_t) heads;   /* heads[h]: index of the first original cluster in slot h of the hash table */
+  VS_LIST(uint32_t) heads;   /* heads[h]: index in `originals` of the first cluster in slot h of the hash table */
   VS_LIST(uint32_t) terms;   /* terms of the problem whose value depends on the cluster's leaves, in the order of first
                               * use */
   VS_LIST(uint32_t) number;  /* number[t]: index in `terms` of the problem's term t, or VS_NONE */

@@ -385,7 +385,8 @@ static bool make_cluster(vs_kernel *k, whole *w, vs_copies *copies, vs_group lea
 typedef struct {
   vs_mesh *one;
   vs_kernel_copies *many;
-  VS_LIST(vs_range) ranges; /* ranges[i]: vertices and triangles of original cluster i within the mesh `one` */
+  VS_LIST(vs_range) ranges; /* ranges[i]: range of vertices and triangles of the mesh `one` that originals[i] (a cluster
+                             * without an earlier copy) has made */
 } sink;
 
 static bool add_mesh(vs_kernel *k, vs_kernel_copies *c, vs_mesh **made) {

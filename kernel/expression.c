@@ -19,8 +19,8 @@ static bool absorbed(const vs_kernel_problem *p, const building *b, vs_term_kind
   vs_term_kind kind = p->terms[inner].kind;
   if (b->uses.at[inner] != 1) return false;
   if (outer == VS_TERM_UNION || (outer == VS_TERM_DIFFERENCE && off)) return kind == VS_TERM_UNION;
-  return kind == outer; /* merges an intersection into an intersection, or a difference that is the first operand of a
-                         * difference */
+  return kind == outer; /* an intersection is merged into an intersection, and a difference into a difference of which
+                         * it is the first operand */
 }
 
 static bool collect(vs_kernel *k, const vs_kernel_problem *p, building *b, vs_expression *e, uint32_t user) {

@@ -203,7 +203,7 @@ static bool run(vs_kernel *k, size_t count, size_t window, vs_task_fn *task, vs_
   else work(&c, k);
   k->threads = own;
   pthread_mutex_lock(&c.lock);
-  while (c.running) wait_a_while(&c); /* waits for the other threads, and reports progress meanwhile */
+  while (c.running) wait_a_while(&c); /* while other threads still run, waits and reports progress */
   pthread_mutex_unlock(&c.lock);
   for (uint32_t i = 0; i < started; i++) pthread_join(threads[i], NULL);
   pthread_cond_destroy(&c.space);

@@ -19,7 +19,7 @@ static inline void vs_signals_hold(sigset_t *was) {
 
 static inline void vs_signals_release(const sigset_t *was) { pthread_sigmask(SIG_SETMASK, was, NULL); }
 
-/* Starts a thread as pthread_create does, with the signals from other processes blocked. */
+/* Starts a thread as pthread_create does. Signals from other processes are blocked in the new thread. */
 static inline int vs_thread_start(pthread_t *thread, const pthread_attr_t *how, void *(*run)(void *), void *context) {
   sigset_t was;
   vs_signals_hold(&was);

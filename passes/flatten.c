@@ -54,8 +54,8 @@ static bool flatten_fits(const vs_rewrite *w, const vs_flatten *f, const vs_node
   return new->child_count && vs_rewrite_lone(w, old) && f->above[vs_order_of(old)] >> new->kind & 1;
 }
 
-typedef struct { const vs_ref *at; size_t left; } vs_flatten_run; /* members of a set that are not collected yet:
-                                                                   * address of the first, and their number */
+typedef struct { const vs_ref *at; size_t left; } vs_flatten_run; /* Members of a set that are not collected yet. `at`:
+                                                                   * the first of them; `left`: their number. */
 
 /* Collects the members of a set with the children `kids`, in order; the members of nested sets that are merged replace
  * these sets. If `out` is NULL, only counts the members. Returns false if memory is out. */

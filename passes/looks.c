@@ -239,7 +239,8 @@ static vs_node *set_with_looks(vs_rewrite *w, const vs_node *n, const vs_ref *ki
   return made;
 }
 
-/* Returns n, an outline that is computed from other outlines, inside the material and layer of the first of these. */
+/* Returns n, an outline that is computed from other outlines, inside the material and layer of the first of those
+ * outlines. */
 static vs_node *outline_with_look(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
   looks_state *s = w->state;
   vs_node *made = vs_rewrite_keep(w, n, kids);

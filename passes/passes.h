@@ -22,7 +22,7 @@ typedef struct {
 } vs_pass_notes;
 
 typedef struct {
-  unsigned passes; /* set of passes to run: bit k means vs_pass_kind k */
+  unsigned passes; /* set of passes to run: bit k is set if pass number k (vs_pass_kind) is to run */
   /* Computes bounds that contain a node, in the node's own coordinates. NULL: the pass prune removes only empty nodes.
    * Nodes may be freed at the end of the run, so `context` must then forget their addresses. */
   bool (*bounds)(void *context, const vs_node *n, vs_bounds *out, vs_error *e);

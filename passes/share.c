@@ -42,16 +42,17 @@ typedef struct {
   bool wanted;        /* true if the node's key (hash of its shape) must be computed */
   bool again;         /* true if another node has an equal first key, which covers only some of the points */
   size_t group;       /* index of the first entry with an equal key, which represents all nodes with this key */
-  size_t copies;      /* number of nodes that have this entry's key; valid in the first entry with the key */
-  double named;       /* number of references to all nodes that have this entry's key; valid in the first entry with the
-                       * key */
+  size_t copies;      /* number of nodes with the key of this entry; valid only in the first entry with the key */
+  double named;       /* number of references to all nodes with the key of this entry; valid only in the first entry
+                       * with the key */
   size_t turn;        /* Number, counted from 1, of an element of `turns`: the map by which this shape is another shape
                        * rotated or mirrored; 0 if there is none. Valid in the first entry with the key. */
   vs_node *result;    /* new node for this shape, valid in the first entry with the key; not retained, because the
                        * rewriting holds a reference to it */
 } vs_share_entry;
-typedef struct { size_t head; vs_affine map; } vs_share_turn; /* head: index of the first entry of the other shape; map:
-                                                               * map from that shape to this shape */
+typedef struct { size_t head; vs_affine map; } vs_share_turn; /* A shape that is another shape moved. head: index of the
+                                                               * first entry of that other shape; map: map from that
+                                                               * shape to this one. */
 typedef struct { double step, first; } vs_share_step; /* A step of rounded numbers: its number, and the first number in
                                                        * this step that was hashed. first is NaN if the slot of the hash
                                                        * table is free. */

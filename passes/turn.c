@@ -239,8 +239,8 @@ static bool turn_solve(const turner *t, vs_affine *turn) {
     if (d > most * (1 + 1e-9)) most = d, one = i;
   }
   if (!(most > ldexp(t->near, 20))) return false;
-  vs_vec3 frame[2][3]; /* frame[0]: axes x, y, z through the first points of the pairs; frame[1]: through the second
-                        * points */
+  vs_vec3 frame[2][3]; /* two frames, each with axes x, y, z: frame[0] for the first points of the pairs, frame[1] for
+                        * the second points */
   frame[0][0] = vs_v3_unit(vs_v3_sub(p[one].a, p[0].a));
   frame[1][0] = vs_v3_unit(vs_v3_sub(p[one].b, p[0].b));
   two = turn_farthest(t, p[0].a, frame[0][0], &across);
@@ -262,7 +262,8 @@ static bool turn_solve(const turner *t, vs_affine *turn) {
   }
   if (off > ldexp(most, -20) &&
       vs_v3_dot(frame[0][2], vs_v3_sub(p[four].a, p[0].a)) * vs_v3_dot(frame[1][2], vs_v3_sub(p[four].b, p[0].b)) < 0)
-    frame[1][2] = vs_v3_scale(frame[1][2], -1); /* the map mirrors, so one axis is reversed in the second frame */
+    frame[1][2] = vs_v3_scale(frame[1][2], -1); /* the map includes a mirroring, so one axis of the second frame is
+                                                 * reversed */
   for (int i = 0; i < 3; i++) {
     const double *x = &frame[1][0].x + i, *y = &frame[1][1].x + i, *z = &frame[1][2].x + i;
     vs_vec3 row =

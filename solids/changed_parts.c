@@ -327,7 +327,7 @@ static bool refs_bounds(const refs *r, vs_bounds_memo *memo, vs_bounds *out, vs_
   return true;
 }
 
-/* Appends those references of `from` to r whose bounds intersect the box or are close to it. */
+/* Appends to r each reference of `from` whose bounds intersect the box or are close to it. Returns false on failure. */
 static bool refs_add_near(refs *r, const refs *from, const vs_bounds *box, vs_bounds_memo *memo, vs_error *e) {
   for (size_t i = 0; i < from->count; i++) {
     vs_bounds b;
@@ -343,7 +343,8 @@ static vs_node *set_of(refs *r, vs_kind kind) {
   return vs_node_new(r->store, kind, &(struct vs_union){ 0 }, r->at, r->count);
 }
 
-/* Appends the solids of `whole` to out, without the space that is in solids of `first` or `second`. */
+/* Appends to out the solids of `whole`, without the space that is in solids of `first` or `second`. Returns false on
+ * failure. */
 static bool add_rest(refs *out, refs *whole, const refs *first, const refs *second, vs_bounds_memo *memo, vs_error *e) {
   vs_bounds box;
   if (!whole->count) return true;
@@ -356,7 +357,7 @@ static bool add_rest(refs *out, refs *whole, const refs *first, const refs *seco
   return ok;
 }
 
-/* Appends the space to out that is in solids of both a and b. */
+/* Appends to out the space that is in a solid of a and also in a solid of b. Returns false on failure. */
 static bool add_common(refs *out, refs *a, refs *b, vs_bounds_memo *memo, vs_error *e) {
   vs_bounds boxes[2];
   if (!a->count || !b->count) return true;
@@ -383,7 +384,8 @@ static void sort_parts(const vs_drawn_parts *p, const vs_part_match *match, refs
   }
 }
 
-/* Copies those references of `from` that are solids to out; other objects cannot be subtracted. */
+/* Copies to out each reference of `from` that is a solid; other objects cannot be subtracted. Returns false on
+ * failure. */
 static bool only_solids(refs *out, const refs *from) {
   for (size_t i = 0; i < from->count; i++)
     if (from->at[i].node->class_ == VS_SOLID) refs_add(out, vs_node_retain(from->at[i].node), from->at[i].origin);
@@ -421,7 +423,8 @@ bool vs_drawn_parts_change(const vs_drawn_parts *a, const vs_drawn_parts *b, con
   return ok;
 }
 
-/* Adds the solids below n to `solids`, and all other objects to `rest`; drops the latter if `rest` is NULL. */
+/* Adds the solids below n to `solids`, and all other objects to `rest`. If `rest` is NULL, drops these other objects.
+ * Returns false on failure. */
 static bool part_solids(vs_node *n, refs *solids, refs *rest, vs_error *e) {
   vs_drawn_parts parts = { .store = n->store };
   bool ok = vs_drawn_parts_take(&parts, &(vs_ref){ n, NULL }, 1, e);

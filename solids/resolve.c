@@ -22,7 +22,7 @@ typedef struct {
   const vs_kernel_options *options;
   vs_error *error;
   vs_deformer *deformer; /* deformer for nodes of kind VS_DEFORM; NULL before the first such node */
-  vs_nodemap known;    /* maps an old node to the node that replaces it; `made` holds a reference to the latter */
+  vs_nodemap known;    /* maps an old node to its replacement, to which `made` holds a reference */
   vs_node **made;
   size_t made_count, made_room;
 } resolver;
@@ -287,7 +287,7 @@ typedef struct {
   const vs_origin *origin;
   const vs_node *const *looks; /* materials and layers around the part that is being sliced, the innermost last */
   size_t look_count;
-  vs_ref *at;                  /* pieces that remain after the slice */
+  vs_ref *at;                  /* references to the pieces that remain after the slice */
   size_t count, room;
 } pieces;
 

@@ -25,15 +25,17 @@ enum { NO_OBJECTS = -1 };
 typedef struct {
   vs_affine placement;
   const vs_material *material;
-  const char *layer; /* name of the layer around this level, interned in the nodes' store */
-  size_t first;    /* index in `pending` of the first operand of this level's operation */
-  bool difference; /* true if this level is a difference, whose operands after the first are subtracted */
-  bool off;        /* true if solids at this level are subtracted from the result */
+  const char *layer; /* name of the layer around this level of the walk, interned in the nodes' store */
+  size_t first;    /* index in `pending` of the first operand of the operation that this level of the walk has
+                    * entered */
+  bool difference; /* true if this level of the walk is a difference, which subtracts all its operands except the
+                    * first */
+  bool off;        /* true if solids at this level of the walk are subtracted from the result */
   uint32_t scope;  /* Number of this level's scope: the innermost operation around it whose bounds are finite.
                     * Half-spaces have no effect outside of these bounds. 0: the entire drawing. */
   const vs_node *scope_node; /* node of this level's scope, the innermost bounded operation around it; NULL: the entire
                               * drawing */
-  vs_affine local; /* map from this level's coordinates to those of scope_node */
+  vs_affine local; /* map from the coordinates of this level of the walk to those of scope_node */
 } level;
 typedef struct {
   const vs_node *node;

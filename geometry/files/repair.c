@@ -126,7 +126,7 @@ static size_t weld_slot(const uint32_t *slots, size_t mask, const weld_cell *cel
 static bool weld(const vs_face_list *l, double reach, uint32_t *place, size_t *welded) {
   size_t room = 16;
   while (room < l->point_count * 2) room *= 2;
-  /* next[i]: the next point in the grid cell of point i. */
+  /* next[i]: the next point in the list of points in the grid cell of point i. */
   uint32_t *slots = vs_fresh(room, sizeof *slots), *next = vs_fresh(l->point_count + 1, sizeof *next);
   weld_cell *cells = vs_fresh(l->point_count + 1, sizeof *cells);
   bool ok = slots && next && cells;
@@ -406,8 +406,8 @@ static bool turn_shells(vs_store *store, vs_face_list *l, size_t *turned, vs_err
       if (!ok) break;
       if (other == s) continue;
       face_volume(l, f, o, &part);
-      angle += volume[other] < 0 ? -part : part; /* adds the other shell's share of the solid angle; the sign is that of
-                                                  * a shell that faces outwards */
+      angle += volume[other] < 0 ? -part : part; /* adds the solid angle of face f, with the sign that it has if its
+                                                  * shell faces outwards */
     }
     turn[s] = !(angle > 3.14159265358979323846);
   }

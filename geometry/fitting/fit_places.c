@@ -172,7 +172,7 @@ typedef struct {
   vs_point_moments moments;
   vs_vec3 centre;
   double axes[3][3], size, span[3][2];
-  const vs_vec3 *points; /* points of the scan; the first of them span the scan's bounding box */
+  const vs_vec3 *points; /* points of the scan; the first `spanned` of them span the scan's bounding box */
   size_t count;
 } shape;
 

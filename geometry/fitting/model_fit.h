@@ -97,7 +97,7 @@ typedef struct {
   bool converged, stopped; /* converged: true if the solver converged in the last step of the fit; stopped: true if the
                             * caller's function `going` ended the fit */
   bool rival;              /* true if another start led to an equally good fit with other numbers */
-  bool rival_unlike;       /* true if that other fit (see `rival`) also has another shape */
+  bool rival_unlike;       /* true if the equally good fit from another start (`rival`) also has another shape */
   vs_fit_doubt doubt;
   unsigned iterations, models; /* iterations: number of times that the distances of all points were computed; models:
                                 * number of solids that were made from numbers */

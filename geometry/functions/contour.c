@@ -161,7 +161,7 @@ static vs_contour_outcome block(contour *c, const int32_t *from) {
 
 typedef struct {
   int32_t from[3], to[3];
-} span; /* a box of blocks of cells, as ranges of block numbers along the axes */
+} span; /* a box of blocks (of 8 by 8 by 8 cells): along each axis, a range of block numbers */
 
 /* Visits all blocks of cells that may contain a crossing of the surface. It divides the grid into smaller and smaller
  * boxes, and skips boxes without a crossing. */
@@ -667,8 +667,9 @@ static bool goes_on(const contour *c, const cell *here, const crossings *own, ri
 
 static bool points(contour *c) {
   vs_contour *out = c->out;
-  ring_point *some[2] = { NULL, NULL }; /* rings (pieces of the surface in cells) whose points are refined together:
-                                         * some[0] smooth ones, some[1] those with sharp edges */
+  ring_point *some[2] = { NULL, NULL }; /* Lists of rings (pieces of the surface in cells) whose points are refined
+                                         * together. some[0]: rings on a smooth surface; some[1]: rings with sharp
+                                         * edges. */
   size_t room[2] = { 0, 0 }, count_of[2] = { 0, 0 };
   bool ok = VS_GROW(some[0], room[0], AT_ONCE) && VS_GROW(some[1], room[1], AT_ONCE);
   crossings own;

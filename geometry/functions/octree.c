@@ -75,7 +75,8 @@ typedef struct {
   size_t node_count, node_room;
   uint32_t *table; /* hash table that maps the position of a node to its index plus 1 */
   size_t slots, table_room;
-  int32_t (*spoilt)[3]; /* positions of nodes of the level below that could not be merged */
+  int32_t (*spoilt)[3]; /* positions of nodes on the level below that were not merged, so that no node around them is
+                         * merged */
   size_t spoilt_count, spoilt_room;
 } octree;
 

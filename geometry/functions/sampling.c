@@ -31,7 +31,8 @@ struct vs_sampler {
   uint32_t *lane;      /* lane[i]: lane (array of numbers) of step i */
   const double **from; /* from[i]: address of step i's values for the current batch of points */
   double *at;          /* memory of all lanes (arrays with the numbers of a step) */
-  size_t width;        /* number of doubles in a lane: the values of a batch, and their slopes */
+  size_t width;        /* number of doubles in a lane (array of numbers of a step): the values for a batch of points,
+                        * and their derivatives */
 };
 
 void vs_sampler_free(vs_sampler *s) {

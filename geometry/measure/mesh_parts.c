@@ -49,7 +49,8 @@ static void measure(const vs_mesh *m, const uint32_t *of, shell *s) {
   }
 }
 
-/* For the wall of each cavity, finds the smallest shell that surrounds it. */
+/* For each shell (connected set of triangles) that is the wall of a cavity, finds the smallest shell that surrounds
+ * it. */
 static void enclose(const vs_mesh *m, const uint32_t *of, shell *s, uint32_t count) {
   for (uint32_t i = 0; i < count; i++) {
     if (!(s[i].volume < 0)) continue;

@@ -341,10 +341,10 @@ static bool row_of_way(const surface *s, const uint32_t *way, size_t count, row 
     uint32_t next = r->q.triangle;
     if (i + 2 < count) {
       uint32_t f = way[i + 1] / EACH;
-      if (f == e) continue; /* the path goes along edge f, and leaves it only at the next stop */
+      if (f == e) continue; /* the path goes along edge f, and leaves the edge only at the next stop */
       next = between(s, e, f);
-      if (next == NONE) { /* the stop is a corner of the mesh; at the other edges of this corner, the same position has
-                           * other numbers */
+      if (next == NONE) { /* the stop (point on an edge) is a corner of the mesh; on each other edge at this corner, a
+                           * stop with another number has this position */
         if (!corner) return *whole = false, true;
         continue;
       }

@@ -43,16 +43,16 @@ typedef struct {
 
 /* A form: a part of one kind, turned by one of the allowed angles. */
 typedef struct {
-  size_t first, count; /* range of the form's convex pieces */
+  size_t first, count; /* range of the form's convex pieces in the list of all pieces */
   box box;
   double angle;
 } form;
 
 /* A kind: all parts of one shape. */
 typedef struct {
-  size_t first, count; /* range of the kind's forms, one for each allowed angle */
+  size_t first, count; /* range of the kind's forms, one for each allowed angle, in the list of all forms */
   double area, extent; /* area: area of the part; extent: longer side of its bounding box */
-  uint32_t part;       /* number of the first part of this kind */
+  uint32_t part;       /* number of the first part that is of this kind */
 } kind;
 
 typedef struct {
@@ -117,13 +117,13 @@ typedef struct {
   size_t sum_count, sum_room;
   vs_vec2 *sum_at;
   size_t sum_points, sum_point_room;
-  vs_vec2 *draft; /* working memory for the points of one sum of two pieces */
+  vs_vec2 *draft; /* working memory for the corners of the sum of two convex pieces */
   size_t draft_room;
   double lines[MOST_LINES];
   size_t line_count;
   spans spans[MOST_LINES];
   uint32_t *order; /* numbers of the parts, in the order in which they are placed */
-  laid *laid;      /* laid[i]: where part i lies: its sheet, form and move */
+  laid *laid;      /* laid[i]: where part i was placed: number of its sheet, its form (rotation) and its move */
   memory best, now;
   uint64_t steps, most_steps;
   uint32_t chance;

@@ -239,7 +239,7 @@ bool vs_flat_net_unfold(vs_flat_net *s, vs_long_work work) {
     memcpy(r.best, s->at, n * sizeof *r.best);
     memcpy(r.best_piece, s->piece, n * sizeof *r.best_piece);
   }
-  if (ok && fewest != SIZE_MAX) { /* numbers the pieces from 0, in the order of their first triangles */
+  if (ok && fewest != SIZE_MAX) { /* numbers the pieces of the net from 0, in the order of their first triangles */
     uint32_t *name = r.near, count = 0;
     for (size_t f = 0; f < s->faces; f++) name[f] = VS_MESH_NONE;
     memcpy(s->at, r.best, n * sizeof *r.best);

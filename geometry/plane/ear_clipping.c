@@ -403,7 +403,7 @@ typedef struct {
   uint32_t *hole_of;     /* hole_of[i]: number of the hole that contains point i */
   size_t *queue, queued; /* queue: holes that have been joined, and around which other holes that touch them must be
                           * searched; queued: length of the queue */
-  size_t start;          /* corner with which the ring begins */
+  size_t start;          /* start: corner at which the ring (outer loop and joined holes) begins */
 } vs_joining;
 
 static bool join_at(vs_joining *j, size_t a, size_t b) { /* joins corner a of the ring to corner b of the hole */

@@ -55,8 +55,8 @@ bool vs_curves_join(vs_store *s, vs_ref *refs, size_t *count, vs_error *e) {
   for (size_t i = 0; ok && i < n; i++) {
     if (parts[i].used) continue;
     parts[i].used = true;
-    size_t first = n, last = n + 1; /* the chain grows in both directions, so the list of its curves is filled from the
-                                     * middle of the array */
+    size_t first = n, last = n + 1; /* the chain of joined curves grows in both directions, so its list is filled from
+                                     * the middle of the array */
     chain[n] = refs[i];
     double size = parts[i].size;
     vs_vec3 head = parts[i].end[0], tail = parts[i].end[1], far;

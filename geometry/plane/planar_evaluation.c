@@ -237,8 +237,8 @@ bool vs_outline_coplanar(const vs_outline *a, const vs_outline *b) {
 static bool flat_combine(vs_flat *f, const vs_ref *ref, vs_flat_value *values, size_t count, vs_flat_value *out) {
   vs_area *areas = vs_zeros(count, sizeof *areas), made = { 0 };
   bool ok = areas || vs_error_memory(f->error, ref->origin);
-  const vs_outline *plane = NULL; /* the first operand that is not empty; the set's result lies in the plane of this
-                                   * outline */
+  const vs_outline *plane = NULL; /* outline of the first operand that is not empty; the result of the set lies in the
+                                   * plane of this outline */
   for (size_t i = 0; ok && i < count; i++) {
     ok = flat_fill(f, ref, &values[i]);
     if (ok && (!plane || (!plane->count && values[i].outline.count))) plane = &values[i].outline;

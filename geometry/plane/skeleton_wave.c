@@ -11,7 +11,7 @@
 #include "model/store/array.h"
 
 #define PARALLEL 1e-9L  /* sine of the angle below which two moving lines count as parallel */
-#define STILL 1e-14L    /* speed that counts as 0, as a fraction of the other speeds */
+#define STILL 1e-14L    /* fraction of the other speeds below which a speed counts as 0 */
 #define NONE UINT32_MAX
 
 /* A part of a segment of the front between two places (positions of vertices). line: number of its moving line; from,
@@ -24,7 +24,7 @@ typedef struct vs_wave_work {
   size_t piece_count, piece_room;
   cut *cut;
   size_t cut_count, cut_room;
-  vs_wave_segment *fresh; /* segments of the front after the current event */
+  vs_wave_segment *fresh; /* segments of the front (the moving outline) after the current event */
   size_t fresh_count, fresh_room;
   /* position of each vertex or place; a place has the index of its first vertex */
   vs_wave_point *at;
@@ -293,7 +293,8 @@ static bool add_vertex(vs_wave *w, const piece *in, uint32_t out_index) {
       set_way(w, in->line, step, k->at[out->from], &across);
       set_way(w, step, out->line, k->at[out->from], &s);
       if (!add_segment(k, across, &made)) return false;
-      k->fresh[made].next = made + 1; /* the segment of the next piece follows the new segment directly */
+      k->fresh[made].next = made + 1; /* the step is followed by the segment that is added to the array directly after
+                                       * it */
       k->piece[out_index].stepped = true;
     } else set_way(w, in->line, out->line, k->at[out->from], &s);
   }
@@ -326,7 +327,7 @@ static bool make_front(vs_wave *w) {
   return true;
 }
 
-/* Makes the front anew at the present time, after an event. */
+/* Makes the front (the moving outline) anew at the present time, after an event. */
 static vs_skeleton_outcome renew(vs_wave *w) {
   work *k = w->work;
   k->piece_count = 0;
@@ -337,7 +338,8 @@ static vs_skeleton_outcome renew(vs_wave *w) {
   return make_front(w) ? VS_SKELETON_DONE : VS_SKELETON_MEMORY;
 }
 
-/* Makes the first front from the outline: each edge becomes a segment, each corner a node and a touched place. */
+/* Makes the first front (moving outline): each edge of the outline becomes a segment, and each corner a node at a place
+ * where pieces meet. */
 static bool begin(vs_wave *w, const uint32_t *next) {
   size_t n = w->line_count;
   work *k = w->work = vs_zeros(1, sizeof *k);

@@ -89,8 +89,8 @@ vs_node *vs_slice_region(vs_ref region, const vs_shape_plane *flat, const vs_bou
   vs_store *s = region.node->store;
   vs_vec3 middle = vs_v3_scale(vs_v3_add(b->min, b->max), 0.5), n = vs_v3_unit(normal), f = vs_v3_unit(flat->normal);
   middle = vs_v3_sub(middle, vs_v3_scale(f, vs_v3_dot(f, vs_v3_sub(middle, flat->point))));
-  vs_vec3 in = vs_v3_sub(n, vs_v3_scale(f, vs_v3_dot(n, f))); /* in: direction in the region's plane towards the kept
-                                                               * side */
+  vs_vec3 in = vs_v3_sub(n, vs_v3_scale(f, vs_v3_dot(n, f))); /* in: direction within the region's plane that points to
+                                                               * the side that is kept */
   double steep = vs_v3_length(in), height = vs_v3_dot(n, vs_v3_sub(middle, point)), reach = vs_bounds_diagonal(b);
   if (steep < 1e-12 || fabs(height) > steep * reach)
     return height >= -1e-13 * reach ? vs_node_retain(region.node)

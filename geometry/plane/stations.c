@@ -54,7 +54,8 @@ bool vs_stations_open(const vs_node *curve, const vs_fineness *f, vs_stations *o
 vs_station vs_station_at(const vs_stations *s, double distance) {
   size_t low = 0, high = span_count(s);
   distance = distance > 0 ? distance < s->length ? distance : s->length : 0;
-  while (high - low > 1) { /* binary search for the span that contains the distance: along[low] <= distance */
+  while (high - low > 1) { /* binary search for the span, between samples `low` and `low` + 1, that contains the
+                            * distance: along[low] <= distance */
     size_t middle = (low + high) / 2;
     if (s->along[middle] <= distance)
       low = middle;

@@ -352,7 +352,7 @@ static bool loft_least_twist_index(const loft_line *a, size_t from, const loft_l
   for (size_t j = 0; j < n; j += stride) scale += vs_v3_dot(a->at[j], a->at[j]) + vs_v3_dot(b->at[j], b->at[j]);
   for (size_t t = 0; t < n; t++) {
     if (!vs_store_going(s, (uint32_t)(4 * n / stride), e)) return false;
-    size_t k = (from + t) % n; /* begins with the original start, which is kept if no other start is better */
+    size_t k = (from + t) % n; /* begins with the start that loop b has already; keeps it if no other start is better */
     double sum = 0;
     for (size_t j = 0; j < n; j += stride) sum += vs_v3_dot(a->at[(from + j) % n], b->at[(k + j) % n]);
     if (sum > most + 1e-9 * scale) most = sum, *best = k;
@@ -412,7 +412,7 @@ typedef struct { loft_line *lines; double *shift; size_t *start; double *places;
 enum { TWISTS = 1 << 18 }; /* estimated time, in nanoseconds, of a search for the least twist between two loops, passed
                             * to vs_store_going */
 
-/* The sections of a loft. first: index of the first section that is no point. */
+/* The sections of a loft. `first`: index of the first section that is not a single point. */
 typedef struct { loft_section *at; size_t count, first; } loft_sections;
 
 /* Matches the points of loop l of all sections. matched[i]: receives loop l of section i; all these loops have equally

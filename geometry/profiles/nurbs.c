@@ -38,8 +38,9 @@ static size_t span_of(const vs_nurbs_knots *k, double t) {
     else
       high = middle;
   }
-  while (low > (size_t)k->degree && k->knots[low] == k->knots[low + 1]) low--; /* at the end of the parameter's range,
-                                                                                * goes back over spans of length 0 */
+  while (low > (size_t)k->degree && k->knots[low] == k->knots[low + 1]) low--; /* at the end of the parameter's
+                                                                                * range, goes back over knot spans of
+                                                                                * length 0 */
   return low;
 }
 
@@ -63,8 +64,8 @@ static void basis(const vs_nurbs_knots *k, size_t span, double t, double *value,
     }
     value[j] = saved;
   }
-  for (int r = 0; r <= p; r++) { /* the loop computes the basis functions of degree p from `before`, those of degree p -
-                                  * 1 */
+  for (int r = 0; r <= p; r++) { /* computes the basis functions of degree p from those of degree p - 1, which are in
+                                  * `before` */
     size_t i = span - (size_t)p + (size_t)r;
     double low = k->knots[i + (size_t)p] - k->knots[i], high = k->knots[i + (size_t)p + 1] - k->knots[i + 1];
     slope[r] = (r > 0 && low > 0 ? p * before[r - 1] / low : 0) - (r < p && high > 0 ? p * before[r] / high : 0);

@@ -46,8 +46,8 @@ typedef struct {
 
 typedef struct {
   taper_edge *edges;
-  size_t count, room, walls; /* count: number of edges; walls: the first `walls` of them are the edges of the profile;
-                              * the others are pieces of these */
+  size_t count, room, walls; /* count: number of edges; walls: number of the profile's own edges, which come first; the
+                              * edges after them are pieces of these */
   taper_event *events;
   size_t event_count, event_room;
   double sign, end, size;   /* sign: 1 if the edges move inwards, -1 outwards; end: distance by which the edges move
@@ -122,9 +122,9 @@ static bool taper_near(const taper *t, vs_vec2 a, vs_vec2 b) { return hypot(a.x 
 
 static bool taper_sooner(const taper_event *a, const taper_event *b) {
   if (a->d != b->d) return a->d < b->d;
-  if ((a->wall == SIZE_MAX) != (b->wall == SIZE_MAX)) return a->wall == SIZE_MAX; /* events in which an edge vanishes
-                                                                                   * come before those in which a corner
-                                                                                   * hits a wall */
+  if ((a->wall == SIZE_MAX) != (b->wall == SIZE_MAX)) return a->wall == SIZE_MAX; /* an event in which an edge vanishes
+                                                                                   * comes before an event in which a
+                                                                                   * corner hits a wall */
   return a->edge != b->edge ? a->edge < b->edge : a->wall < b->wall;
 }
 

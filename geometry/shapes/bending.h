@@ -38,7 +38,7 @@ void vs_bending_free(vs_bending *b); /* frees the state b, which may be NULL */
 /* Returns the points for which the caller is to compute the map next. *count: number of points; 0: the bending is
  * complete. */
 const vs_vec3 *vs_bending_wanted(const vs_bending *b, size_t *count);
-/* Receives the mapped points: images[i] is the image of point i of those that vs_bending_wanted returned. */
+/* Receives the mapped points: images[i] is the image of point i in the array that vs_bending_wanted returned. */
 bool vs_bending_give(vs_bending *b, const vs_vec3 *images); /* returns false when memory is out */
 /* Returns the mesh after the bending, which belongs to b. */
 vs_mesh *vs_bending_mesh(vs_bending *b);

@@ -134,7 +134,7 @@ static void remove_edge(rings *r, uint32_t e, vs_vec3 normal) {
   if (c[a].vertex != c[q].vertex || c[b].vertex != c[p].vertex) return;
   if (!left(r, c[c[a].last].vertex, c[a].vertex, c[c[q].next].vertex, normal)) return;
   if (!left(r, c[c[p].last].vertex, c[p].vertex, c[c[b].next].vertex, normal)) return;
-  /* In the joined ring, corner q replaces a, and corner b replaces p. */
+  /* Where the two rings are joined, corner q replaces corner a, and corner b replaces corner p. */
   c[c[a].last].next = q, c[q].last = c[a].last;
   c[c[p].last].next = b, c[b].last = c[p].last;
   c[a].next = c[a].last = a, c[p].next = c[p].last = p;

@@ -54,7 +54,7 @@ static double to_triangle(vs_vec3 p, vs_vec3 a, vs_vec3 b, vs_vec3 c) {
   return within ? fabs(vs_v3_dot(n, vs_v3_sub(p, a))) : least;
 }
 
-/* Returns the number of corners that are neighbours of both v and u, at most 3. */
+/* Returns how many corners are neighbours of v and also of u; counts at most 3. */
 static int common_neighbours(const decimation *d, uint32_t v, uint32_t u) {
   uint32_t found[3];
   int count = 0;

@@ -72,7 +72,8 @@ typedef struct {
   VS_LIST(uint32_t) known;       /* known[p]: index in `points` of the cluster's point p; valid only if `global` at this
                                   * index is p */
   VS_LIST(uint32_t) heads;
-  VS_LIST(segment) segments;     /* segments in the plane: first the boundary edges of facets, then the cuts */
+  VS_LIST(segment) segments;     /* segments in the plane: first the boundary edges of facets, then the segments that
+                                  * cut through facets */
   VS_LIST(incidence) on;
   VS_LIST(uint32_t) families;    /* families[i]: family of segment i for the search of pairs in the tree of boxes
                                   * (bvh.h). Segments of family 0 have already been tested against each other. */
@@ -449,7 +450,7 @@ static bool order_pieces(plane_work *w) {
   for (size_t v = 0; v < n; v++) {
     piece *at = w->sorted.at + first[v];
     uint32_t count = first[v + 1] - first[v];
-    /* Shell sort: most vertices have few pieces, but some have very many. */
+    /* Shell sort: most vertices begin few pieces of segments, but some begin very many. */
     for (uint32_t gap = count > MANY ? count / 2 : 1; gap; gap = gap == 2 ? 1 : (uint32_t)(gap / 2.2))
       for (uint32_t i = gap; i < count; i++) {
         piece x = at[i];
@@ -654,8 +655,8 @@ static bool give_faces(plane_work *w) {
 
 /* ---- groups ---- */
 
-static bool give_facet(plane_work *w, uint32_t facet) { /* copies the triangles of a facet that no other facet touches,
-                                                         * as one face */
+static bool give_facet(plane_work *w, uint32_t facet) { /* copies the triangles of a facet that touches no other facet;
+                                                         * together they form one face */
   const vs_cluster *c = w->c;
   findings *to = w->to;
   const vs_facet *f = &c->facets.at[facet];
@@ -687,15 +688,17 @@ typedef struct { uint32_t from, end; } chunk; /* a range of groups of facets, fr
  * threads. */
 typedef struct {
   vs_cluster *c;
-  VS_LIST(uint32_t) facets, cuts;  /* indices of all facets and of all cuts, each sorted by group */
+  VS_LIST(uint32_t) facets, cuts;  /* indices of all facets, and of all cuts through facets; both lists are sorted by
+                                    * group of touching facets */
   VS_LIST(uint32_t) facet_first, cut_first; /* facet_first[r]: position in `facets` of the first facet of group r;
                                              * cut_first[r]: position in `cuts` of its first cut; an extra element of
                                              * each array marks the end */
   VS_LIST(chunk) chunks;
   findings found[VS_PIPELINE_WINDOW];
   plane_work *works;               /* array with the working memory of each thread */
-  vs_points_table points;          /* new points of all chunks; their numbers follow those of the cluster's points */
-  VS_LIST(uint32_t) numbers;       /* numbers[i]: number in the cluster of the new point i of a chunk */
+  vs_points_table points;          /* table of the new points of all chunks (tasks), which get numbers after those of
+                                    * the cluster's points */
+  VS_LIST(uint32_t) numbers;       /* numbers[i]: number in the cluster of the chunk's new point i */
   size_t tried, crossed, hidden;   /* sums, over the chunks so far, of their members `cuts`, `crossed` and `hidden` */
 } arranging;
 
@@ -719,7 +722,8 @@ static bool arrange_group(plane_work *w, const arranging *a, uint32_t root) {
   size_t left = c->cuts.count - a->cut_first.at[root];
   for (uint32_t j = 0; j < cut_count; j++) {
     const vs_facet_cut *cut = &c->cuts.at[cuts[j]];
-    if (j + AHEAD < left) { /* prefetches the next cuts, also those of the next group, and their points */
+    if (j + AHEAD < left) { /* prefetches memory of the next cuts through facets and of their points, beyond the end of
+                             * this group, too */
       __builtin_prefetch(&c->cuts.at[cuts[j + AHEAD]]);
       const vs_facet_cut *near = &c->cuts.at[cuts[j + NEAR]];
       __builtin_prefetch(&c->points.all.at[near->p]);
@@ -732,8 +736,9 @@ static bool arrange_group(plane_work *w, const arranging *a, uint32_t root) {
   }
   vs_sort_keyed(at, at + cut_count, cut_count);
   uint32_t kept = 0, tried = 0;
-  for (uint32_t j = 0, stop; j < cut_count; j = stop) { /* keeps one of several equal cut segments; of the second planes
-                                                         * that contain it, keeps the first */
+  for (uint32_t j = 0, stop; j < cut_count; j = stop) { /* if several segments that cut through facets are equal,
+                                                         * keeps one of them, with the first of the planes that
+                                                         * contain them */
     uint32_t plane = at[j].item, p, q;
     for (stop = j + 1; stop < cut_count && at[stop].key == at[j].key; stop++)
       if (at[stop].item < plane) plane = at[stop].item;
@@ -835,8 +840,8 @@ static bool bucket(vs_kernel *k, arranging *a) {
   for (uint32_t i = 2; i < n + 2; i++) first[i] += first[i - 1];
   for (uint32_t i = 0; i < m; i++) a->cuts.at[first[c->facets.at[c->cuts.at[i].facet].group + 1]++] = i;
   if (!vs_kernel_report(k, k->part)) return false;
-  for (int large = 1; large >= 0; large--) /* the first pass lists the large chunks, so that threads start with them;
-                                            * the second pass lists the others */
+  for (int large = 1; large >= 0; large--) /* The first pass lists the large chunks, so that threads start with them.
+                                            * The second pass lists the remaining chunks. */
     for (uint32_t i = 0, end; i < n; i = end) {
       uint32_t size = 0;
       for (end = i; end < n && size < CHUNK; end++) {

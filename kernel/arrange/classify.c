@@ -536,7 +536,8 @@ static bool walk_from(walk *w, uint32_t cell) {
                                                                                   * this cell, so the walk does not
                                                                                   * continue from the cell */
     if (w->stack[depth - 1].next == w->first.at[here + 1]) {
-      uint32_t back = w->stack[--depth].face; /* goes back through the face by which the walk entered the cell */
+      uint32_t back = w->stack[--depth].face; /* goes back through the face through which the walk entered the current
+                                               * cell */
       if (back != VS_NONE && !pass(w, back, w->side.at[2 * back] == here ? 1 : -1)) return false;
       continue;
     }
@@ -586,7 +587,7 @@ static double about_area(const walk *w, uint32_t face) {
 typedef struct {
   uint32_t side;  /* side of the face for which winding numbers were found; valid if `done` is true */
   bool done;      /* false if the faces near the start are too small for a ray */
-  size_t cells;   /* number of cells in w->queue whose faces were searched */
+  size_t cells;   /* number of cells (connected pieces of space) in w->queue whose faces were searched */
 } sighting;
 
 /* Searches the faces of the cell `start` and of cells connected to it: at most `most` cells and `faces` faces. Sends a
@@ -691,7 +692,7 @@ static bool mark_settled(walk *w) {
   for (uint32_t i = 0; i < c->leaf_count; i++) any = any || (c->placed.at[i].star && w->e->forces.at[c->leaves[i]]);
   if (!any) return true;
   if (!VS_ROOM(w->k, settles, room, (size_t)c->problem->leaf_count + 1)) return false;
-  /* Only leaves of this cluster have faces in it. */
+  /* Only leaves (placed meshes) of this cluster have faces in its arrangement. */
   for (uint32_t i = 0; i < c->leaf_count; i++)
     settles[c->leaves[i]] = c->placed.at[i].star && w->e->forces.at[c->leaves[i]];
   for (uint32_t f = 0; f < c->faces.count; f++)

@@ -175,7 +175,8 @@ bool vs_cull_needed(const vs_cluster *c, uint32_t place) {
                                                                  * Therefore nothing is removed. */
   if (p->lids_count) return true;
   bool out = false;
-  if (gate_box(c, low, high)) /* if the leaf is entirely inside the gate's box, the box removes nothing */
+  if (gate_box(c, low, high)) /* if the leaf is entirely inside the gate's box, outside of which the result is empty,
+                               * nothing of the leaf is removed */
     for (int a = 0; a < 3; a++) out = out || p->box.min[a] < low[a] || p->box.max[a] > high[a];
   return out;
 }

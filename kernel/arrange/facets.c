@@ -58,8 +58,8 @@ typedef struct {
   VS_LIST(uint32_t) ids;        /* ids[v]: point number of vertex v of the current leaf, or VS_NONE */
   VS_LIST(uint32_t) twins;      /* pairs of corners with opposite edges (vs_twins_find); filled only if the leaf's mesh
                                  * has no such list */
-  VS_LIST(uint32_t) fresh;      /* vertices of the current span that have no point number yet */
-  size_t given;                 /* number of triangles in all earlier batches of the cluster */
+  VS_LIST(uint32_t) fresh;      /* vertices, in the current range of triangles (span), that have no point number yet */
+  size_t given;                 /* total number of triangles in the batches before this one */
 } facets;
 
 static uint32_t turned(bool mirrored, uint32_t j) { return mirrored ? 2 - j : j; }
@@ -205,7 +205,7 @@ static bool give_points(vs_kernel *k, facets *f) {
   return true;
 }
 
-/* Sets the planes and facets of the triangles of all spans. */
+/* Sets the members `plane` and `facet` of the triangles of all spans (ranges of triangles). */
 static bool give_facets(vs_kernel *k, facets *f) {
   vs_cluster *c = f->c;
   vs_grid_triangle *to = c->triangles.at + f->given;
@@ -217,7 +217,7 @@ static bool give_facets(vs_kernel *k, facets *f) {
       if (i + VS_AHEAD_FAR < s->found.count) vs_planes_ahead(&c->planes, from[VS_AHEAD_FAR].hash, false);
       if (i + VS_AHEAD_NEAR < s->found.count) vs_planes_ahead(&c->planes, from[VS_AHEAD_NEAR].hash, true);
       uint32_t root = vs_find_shared(f->sets.at, s->base + i);
-      if (root == s->base + i) { /* this triangle is the first of its facet */
+      if (root == s->base + i) { /* this triangle is the first one of its facet, so it begins a new facet */
         vs_facet made = { .leaf = leaf, .place = s->place, .group = (uint32_t)c->facets.count, .flip = from->flip };
         f->facet.at[root] = (uint32_t)c->facets.count;
         if (!vs_planes_add(k, &c->planes, &from->plane, from->hash, &made.plane) || !VS_PUSH(k, c->facets, made))
@@ -255,7 +255,7 @@ static bool plan_leaf(vs_kernel *k, facets *f, uint32_t place, size_t *triangles
                           "the solid is inside out: its faces should run counter-clockwise seen from outside");
   for (uint32_t t = 0; t < n; t += SPAN) {
     span made = { .place = place, .first = t, .end = n - t < SPAN ? n : t + SPAN };
-    if (f->spans.count < f->span_count) { /* reuses the memory of a span of an earlier batch of leaves */
+    if (f->spans.count < f->span_count) { /* reuses the memory of a range of triangles (span) of an earlier batch */
       span *s = &f->spans.at[f->spans.count++];
       s->place = place;
       s->first = made.first;
@@ -311,7 +311,7 @@ static bool do_batch(vs_kernel *k, facets *f) {
   return true;
 }
 
-/* Makes c->facet_triangles: the indices of the triangles, sorted by facet. */
+/* Makes c->facet_triangles: indices of all triangles, grouped by the facet that contains them. */
 static bool index_facets(vs_kernel *k, vs_cluster *c) {
   size_t n = c->triangles.count, f = c->facets.count;
   vs_facet last = { .leaf = VS_NONE };

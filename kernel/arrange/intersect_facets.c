@@ -41,7 +41,8 @@ typedef struct {
 typedef struct {
   VS_LIST(event) events;
   VS_LIST(vs_fresh_point) crossings; /* new points on the line in which the current two planes intersect */
-  VS_LIST(uint32_t) given;           /* given[i]: index of crossings[i] among the new points of the chunk, or VS_NONE */
+  VS_LIST(uint32_t) given;           /* given[i]: index of the point crossings[i] among the new points of the task, or
+                                      * VS_NONE before it is used */
 } working;
 
 typedef struct {
@@ -213,7 +214,8 @@ static bool share(chunk *m, uint32_t a, uint32_t b) {
   sort_events(m, axis);
   uint8_t in[2] = { 0, 0 }; /* in[f]: bit UP is set if the line, moved up a little, is inside facet f of the pair; bit
                              * DOWN likewise for the line moved down */
-  bool covered = false;     /* true if both facets of the pair contain the interval of the line before this event */
+  bool covered = false;     /* true if both facets of the pair contain the interval of their common line directly before
+                             * this event */
   event before = { .id = VS_NONE };
   for (size_t i = 0, end; i < n; i = end) {
     const event here = *gather(m, i, axis, &end);
@@ -247,7 +249,8 @@ static bool meet(void *context, uint32_t a, uint32_t b) {
 
 typedef struct {
   vs_cluster *c;
-  vs_points_table points; /* new points of all chunks; the cluster's points do not change while threads run */
+  vs_points_table points; /* new points of all tasks; the points of the cluster itself do not change while threads
+                           * work */
   vs_bvh bvh;
   VS_LIST(vs_bvh_box) boxes;
   VS_LIST(uint32_t) families, group, ids;

@@ -34,7 +34,7 @@ typedef struct {
 typedef struct {
   uint32_t low, high, patch; /* low, high: points at the ends of the edge; patch: index of the patch that the edge
                               * crosses */
-  uint32_t fresh;            /* index of the point among the chunk's new points, or VS_NONE */
+  uint32_t fresh;            /* index of this point among the new points of the task, or VS_NONE */
 } crossing;
 enum { CROSSINGS = 1 << 12 };
 
@@ -335,8 +335,8 @@ static bool corners_between(chunk *m, const facing *f, int axis, end *low, end *
     vs_patch_corner *line = m->w->line.at;
     for (; to > 0 && line[to - 1].at[axis] > x[i].at[axis]; to--) line[to] = line[to - 1];
     line[to] = x[i];
-    if (to > 0 && line[to - 1].point == x[i].point) { /* the latest corner in `line` is the same point as this corner of
-                                                       * the other patch */
+    if (to > 0 && line[to - 1].point == x[i].point) { /* the corner that was entered in `line` last is the same point as
+                                                       * this corner of the second patch */
       m->w->line.count--;
       memmove(line + to, line + to + 1, (m->w->line.count - to) * sizeof *line);
     }
@@ -450,7 +450,7 @@ typedef struct {
   vs_kernel *k;
   vs_cluster *c;
   uint32_t *group; /* group[f]: parent of facet f in a union-find structure of coplanar facets that touch */
-  VS_LIST(uint32_t) ids;  /* ids[i]: number in the cluster of the new point i of a chunk */
+  VS_LIST(uint32_t) ids;  /* ids[i]: number in the cluster of new point i of a task */
   chunk chunks[VS_PIPELINE_WINDOW];
   working *works; /* array with the working memory of each thread */
   size_t chunk_count;

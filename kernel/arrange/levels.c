@@ -26,12 +26,13 @@
 
 #include <string.h>
 
-/* The border of the union of some leaves: facets, given by their border edges. */
+/* A shell: the border of the union of some leaves (placed meshes), as facets that are given by their border edges. */
 typedef struct {
   vs_points_table points; /* points of the shell, without the hash table that finds a point by its coordinates */
   vs_outlines outlines;   /* facets of the shell and their border edges, which refer to elements of `points` */
   vs_bvh_box box;
-  uint32_t solid;         /* number of one leaf that the shell contains, as the name of the solid */
+  uint32_t solid;         /* number of one of the leaves (placed meshes) inside the shell, by which its solid is
+                           * identified */
 } shell;
 
 /* A range of leaves: order[first] to order[end - 1]. made: true if the shells of both halves of the range are already

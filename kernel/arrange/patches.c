@@ -36,7 +36,7 @@ typedef struct {
   VS_LIST(uint32_t) alone; /* alone[p]: index of the only facet in plane p, or SEVERAL */
 } patching;
 
-/* Appends the patch whose corners begin at index `first` of the chunk's corners. */
+/* Appends a patch. Its corners are those of the chunk, from index `first` to the last. */
 static bool add_patch(building *b, uint32_t facet, uint32_t first, uint8_t inner) {
   const vs_cluster *c = b->c;
   const vs_facet *f = &c->facets.at[facet];
@@ -193,7 +193,7 @@ bool vs_patches_build(vs_kernel *k, vs_cluster *c) {
   }
   c->bvh.families = families;
   ok = ok && vs_bvh_build(k, &c->bvh, c->boxes.at, (uint32_t)c->patches.count);
-  VS_DROP(k, c->boxes); /* the tree of boxes has its own copy of these boxes */
+  VS_DROP(k, c->boxes); /* frees the boxes, because the tree of boxes contains a copy of them */
   VS_FREE(k, families, family_room);
   for (size_t i = 0; i < room; i++) {
     VS_DROP(k, p.works[i].next);

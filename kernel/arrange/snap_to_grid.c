@@ -40,7 +40,7 @@ typedef struct {
                                  * lines */
   double near[3];               /* near[a]: coordinates along axis a that differ by less than this number of steps are
                                  * rounded to one grid line */
-  double steps[3];              /* extent of the cluster along each axis, in steps */
+  double steps[3];              /* extent of the cluster along each axis, in grid steps */
 } snapping;
 
 static double coordinate(const vs_vec3 *v, int axis) { return axis == 0 ? v->x : axis == 1 ? v->y : v->z; }

@@ -17,7 +17,7 @@ typedef struct { uint32_t parent, left, right, previous, next; } vs_sweep_node;
 typedef struct {
   vs_points_view points;
   int u, v;
-  VS_LIST(uint32_t) vertices; /* vertices[i]: the cluster's point number of vertex i of the sweep */
+  VS_LIST(uint32_t) vertices; /* vertices[i]: number in the table of points of the sweep's vertex i */
   VS_LIST(vs_sweep_edge) edges;
   /* vs_sweep_begin sets all members from here on; the caller sets the members above. */
   VS_LIST(uint32_t) first;    /* first[v]: index in `rights` of the first edge that leads from vertex v to the right */

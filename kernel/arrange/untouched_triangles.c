@@ -33,7 +33,8 @@ enum { PROVEN = 128 };
 typedef struct {
   uint32_t place, first, end;   /* place: index of the leaf in the cluster; first, end: range of the leaf's triangles
                                  * that one task handles */
-  uint32_t blocks;              /* number of blocks of triangles in all spans before this one */
+  uint32_t blocks;              /* number of blocks (of up to 16 triangles) in all ranges of triangles before this
+                                 * one */
   VS_LIST(vs_use) rim;          /* boundary edges of the regions of untouched triangles; the member `face` of an edge is
                                  * the index of its region */
 } span;
@@ -233,8 +234,8 @@ static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
   return vs_bvh_pairs(&s.p->bvh, (uint32_t)index * CHUNK, (uint32_t)(index + 1) * CHUNK, meet_blocks, &s);
 }
 
-static bool meet_within(vs_kernel *k, void *context, size_t index) { /* tests the triangles of each block in a span
-                                                                      * against each other */
+static bool meet_within(vs_kernel *k, void *context, size_t index) { /* in each block of a range of triangles, tests the
+                                                                      * block's triangles against each other */
   plain *p = context;
   const span *s = &p->spans.at[index];
   if (!p->c->placed.at[s->place].searched || p->c->placed.at[s->place].star) return true;
@@ -676,7 +677,8 @@ size_t vs_plain_kept(const vs_cluster *c) {
 typedef struct {
   vs_cluster *c;
   vs_mesh *out;
-  VS_LIST(uint32_t) vertices; /* indices in the cluster's `corners` of the vertices that are new in the result */
+  VS_LIST(uint32_t) vertices; /* for each vertex that is new in the result: its index in the cluster's array
+                               * `corners` */
   size_t first_vertex;        /* number, in the result, of the first vertex that this function appends */
 } copying;
 

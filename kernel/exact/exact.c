@@ -126,8 +126,8 @@ bool vs_plane_through(const int32_t a[3], const int32_t b[3], const int32_t c[3]
       int u = (i + 1) % 3, v = (i + 2) % 3;
       out->n[i] = p[u] * q[v] - p[v] * q[u];
       uint64_t size = (uint64_t)(out->n[i] < 0 ? -out->n[i] : out->n[i]);
-      if (g != 1) g = gcd64(g, g ? size % g : size); /* the greatest common divisor of the first two components is
-                                                      * mostly small, so the next step is fast */
+      if (g != 1) g = gcd64(g, g ? size % g : size); /* the greatest common divisor of the components so far is mostly
+                                                      * small, so the next step is fast */
     }
   if (g == 0) return false;
   int64_t first = out->n[0] ? out->n[0] : out->n[1] ? out->n[1] : out->n[2];

@@ -65,8 +65,9 @@ typedef struct {
   bool has_families;
 } vs_bvh;
 
-typedef bool vs_bvh_pair_fn(void *context, uint32_t a, uint32_t b); /* receives a pair of items; returns false to stop
-                                                                     * the query */
+typedef bool vs_bvh_pair_fn(void *context, uint32_t a, uint32_t b); /* a function that receives a pair of items whose
+                                                                     * boxes intersect; returns false to stop the
+                                                                     * search */
 typedef bool vs_bvh_hit_fn(void *context, uint32_t a);
 
 /* Builds the tree over the boxes. *tree has all bytes 0, or is an earlier tree, whose memory is reused. Returns false

@@ -127,7 +127,7 @@ static bool same_faces(vs_result_state *w, uint32_t e, uint32_t f, bool *flat, b
   return true;
 }
 
-/* Returns true if exactly two faces border on the edge, and they are not merged with each other. */
+/* Returns true if the edge belongs to exactly two faces, and these are not merged with each other. */
 static bool are_two(const vs_result_state *w, uint32_t e) {
   uint32_t begin = w->edge_first.at[e];
   VS_ASSERT(e + 1 < w->edge_first.count);
@@ -286,7 +286,7 @@ static size_t facet_size(const vs_result_state *w, uint32_t f) {
   return facet[1].first - facet[0].first;
 }
 
-/* Divides the faces into chunks with about equal numbers of border edges. */
+/* Divides the faces into chunks, which tasks triangulate, with about equal numbers of border edges. */
 static bool make_chunks(vs_result_state *w) {
   enum { CHUNK = 8192 };
   size_t sum = 0;
@@ -484,7 +484,7 @@ bool vs_output_faces(vs_kernel *k, vs_cluster *c, vs_mesh *out) {
     bool failed = !ok && w.sheets && k->error->status == VS_KERNEL_INTERNAL;
     if (ok && !vs_sheets_spoiled(&w)) break;
     if (!ok && !failed) break;
-    if (failed) { /* makes the result again with all corners; such a result needs no check */
+    if (failed) { /* makes the result again with all its corners, after which no check is needed */
       k->error->status = VS_KERNEL_FINE;
       atomic_store(&k->stop, false);
     }

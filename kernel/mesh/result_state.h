@@ -40,12 +40,13 @@ typedef struct {
                                       * u belongs; VS_NONE if the edge vanished because its faces were merged */
   VS_LIST(uint32_t) next;            /* next[f]: face that follows f in the list of faces merged with it, or VS_NONE */
   VS_LIST(_Atomic uint8_t) whole;    /* whole[f]: 1 if face f keeps its original triangles */
-  VS_LIST(uint32_t) out;             /* out[p]: vertex number in the result of the cluster's point p */
+  VS_LIST(uint32_t) out;             /* out[p]: number of the vertex in the result at the cluster's point p */
   VS_LIST(uint32_t) points;          /* points[i]: number in the cluster of the point at vertex i of the result,
                                       * counting only vertices that this cluster has added */
   VS_LIST(uint32_t) looks;           /* looks[i]: for triangle i that this cluster has added: 2 * number of its plane,
                                       * plus 1 if the triangle faces against the plane's normal */
-  VS_LIST(uint32_t) chunk_first;     /* chunk_first[i]: first face of chunk i; an extra element marks the end */
+  VS_LIST(uint32_t) chunk_first;     /* chunk_first[i]: first face of chunk i (the faces of one task); an extra element
+                                      * marks the end */
   vs_cut_chunk chunks[VS_PIPELINE_WINDOW];
   VS_LIST(vs_triangulation) cutters; /* working memory of the triangulation, with an element for each thread */
   vs_mesh *mesh;

@@ -36,8 +36,8 @@ typedef struct {
   VS_LIST(uint32_t) copied;    /* copied[i]: vertex whose position the new vertex i copies */
   VS_LIST(uint8_t) taken;
   VS_LIST(vs_around) around;
-  VS_LIST(vs_around) many;     /* faces around the edges of more than two triangles, in cyclic order; the wedge before
-                                * the first face is empty */
+  VS_LIST(vs_around) many;     /* the faces around each edge of more than two triangles, in cyclic order; the wedge
+                                * between the last face and the first contains no material */
   VS_LIST(uint32_t) many_first;
   VS_LIST(uint8_t) way;        /* way[e]: how the triangles at edge e are paired if it has more than two: across solid
                                 * wedges, across empty wedges, or with separate vertices in the edge's middle */
@@ -90,7 +90,7 @@ static void join(splitter *s, uint32_t a, uint32_t b) {
   s->twins.at[b] = a;
 }
 
-/* Sets *a and *b to the two faces of pair n at the edge. The edge has such a pair. */
+/* Sets *a and *b to the two faces of pair number n at the edge, which has more than n pairs. */
 static void pair_of(const splitter *s, size_t edge, size_t n, uint32_t *a, uint32_t *b) {
   uint32_t begin = s->many_first.at[edge], count = s->many_first.at[edge + 1] - begin;
   size_t i = 2 * n + (s->way.at[edge] == AIR);

@@ -60,15 +60,16 @@ struct vs_sheets {
                                * a planar facet into several planes, one of them represents all; VS_NONE if unknown */
   VS_LIST(cut) cuts;
   VS_LIST(uint32_t) cut_of;   /* cut_of[p]: index of the cut along which the corner at point p is to be dropped */
-  VS_LIST(uint32_t) key;      /* key[p]: number of the plane that represents plane p and all planes that the grid has
-                               * split from the same facet */
+  VS_LIST(uint32_t) key;      /* key[p]: number of the plane that represents plane p and all other planes that the grid
+                               * has split from one planar facet */
   VS_LIST(uint32_t) near;     /* near[p]: index in the array `first` of plane p, if it is a representative plane and has
                                * cuts; otherwise VS_NONE */
   VS_LIST(uint32_t) first;    /* first[i]: position in `corners` of the first corner for the representative plane with
                                * the index i; corners are sorted by x; an extra element marks the end */
   VS_LIST(placed) corners;
   VS_LIST(corner) hits;       /* corners of faces, before they are sorted by plane into `corners` */
-  VS_LIST(uint8_t) free;      /* free[i]: 1 if the band around cut i contains no corner other than the cut's own */
+  VS_LIST(uint8_t) free;      /* free[i]: 1 if the band around the straightened cut i contains no corner except those of
+                               * the cut itself */
   size_t near_count, room;  /* near_count: number of representative planes with cuts; room: size of this structure in
                              * bytes */
   bool kept;                /* true if the current round of checks found bends (corners of a cut) that must stay */
@@ -224,9 +225,9 @@ bool vs_sheets_plan(vs_result_state *w) {
     if (!vs_kernel_poll(w->k, 0.9) || !VS_PUSH(w->k, s->all, ((sheet){ .corners = 0 }))) return false;
   }
   for (uint32_t f = 0; f < facets; f++) s->of.at[f] = s->of.at[c->sheets.at[f]]; /* c->sheets.at[f] is the first facet
-                                                                                  * of f's sheet and at most f.
-                                                                                  * Therefore its sheet is already
-                                                                                  * known. */
+                                                                                  * of the sheet that contains f, at
+                                                                                  * most f itself, so the number of its
+                                                                                  * sheet is already known. */
   for (uint32_t p = 0; p < planes; p++) s->key.at[p] = p;
   for (uint32_t f = 0; f < facets; f++) {
     uint32_t first = c->sheets.at[f];
@@ -342,7 +343,8 @@ static bool check_line(vs_result_state *w, uint32_t edge, uint32_t p, size_t *be
     bent += w->bent.at[q];
     e = next_edge(w, e, q);
   }
-  if (p > q) return true; /* the loop also finds this line from its other end q, so it is ignored here */
+  if (p > q) return true; /* the loop finds this line twice, from each of its ends, so it is ignored from the end with
+                           * the greater number */
   made.q = q;
   *bends += bent;
   double from[3], to[3], along[3], n[2][3], x[3], t, last = 0;

@@ -69,8 +69,8 @@ static bool cones_apart(const vs_vec3 a[2], const vs_vec3 b[2]) { /* returns tru
       s = sign3(a[i], b[j], a[1 - i]);
       if (s && s == -sign3(a[i], b[j], b[1 - j])) return true;
     }
-  /* Projects both cones along an axis. The cones are apart if their projections are apart and neither cone contains the
-   * axis. */
+  /* Projects both cones (corners of triangles) along an axis. They are apart if their projections are apart and neither
+   * cone contains the axis. */
   vs_vec3 n = vs_v3_cross(a[0], a[1]);
   double size[3] = { fabs(n.x), fabs(n.y), fabs(n.z) };
   int axis = size[0] >= size[1] && size[0] >= size[2] ? 0 : size[1] >= size[2] ? 1 : 2;

@@ -18,7 +18,7 @@ typedef struct {
                            * which rounding moves its corners */
   size_t met;             /* number of triangles that intersect other triangles after rounding, as far as computation in
                            * doubles can decide */
-  vs_vec3 at;             /* position of the first triangle that intersects another after rounding */
+  vs_vec3 at;             /* position of the first triangle that intersects another triangle after rounding */
   size_t met_before;      /* Greater than 0 if some triangles counted in `met` intersect before rounding as well, so
                            * that the format is not the cause. Counts pairs of triangles; for numbers finer than the
                            * exact mesh, it is set to `met`. */

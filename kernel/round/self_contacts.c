@@ -62,14 +62,15 @@ enum { FOURS = (3 * RUN + 3) / 4 };
 
 typedef struct {
   uint32_t first, first_four, first_place;
-  uint8_t count, fours;          /* count: number of triangles in the run; fours: number of groups of four corners */
+  uint8_t count, fours;          /* count: number of triangles in the run (triangles tested together); fours: number of
+                                  * groups of four corners */
   bool is_low;                   /* true if the run is one triangle that is lower than some units of the last place */
   uint8_t is_changed;            /* marks (VS_CHANGED ...) of the run's only triangle; 0 if the run has several
                                   * triangles */
   bool busy;                     /* true for a run that is not perpendicular to an axis, if it crosses or nearly touches
                                   * a plane that contains runs perpendicular to an axis */
-  bool anew;                     /* true if this run must be tested against all other runs, because its triangle has
-                                  * changed (see is_anew) */
+  bool anew;                     /* true if this run (triangles tested together) must be tested against all others,
+                                  * because its triangle has changed (see is_anew) */
   uint8_t level;                 /* axis to which the run is perpendicular: 0 for x, 1 for y, 2 for z; all its corners
                                   * then have the coordinate `value` */
   /* corner of very many triangles that all triangles of the run share, and around which no test is needed (hubs.h);
@@ -90,10 +91,11 @@ typedef struct { double low[3], high[3]; bool near_low[3], near_high[3], any; /*
                                                                                * runs */ } reach;
 
 typedef struct { VS_LIST(run) at; VS_LIST(vs_bvh_box) boxes; } runs;
-typedef struct { runs kinds[2]; VS_LIST(corners) fours; VS_LIST(uint8_t) places; } made; /* the runs that a task has
-                                                                                          * made; kinds[OPEN]: those not
+typedef struct { runs kinds[2]; VS_LIST(corners) fours; VS_LIST(uint8_t) places; } made; /* the runs (triangles tested
+                                                                                          * together) that a task has
+                                                                                          * made; kinds[OPEN]: runs not
                                                                                           * perpendicular to an axis;
-                                                                                          * kinds[LEVEL]: those
+                                                                                          * kinds[LEVEL]: runs
                                                                                           * perpendicular to an axis */
 typedef struct { uint32_t a, b; bool before; } pair; /* a, b: numbers of two triangles that intersect; before: true if
                                                       * they also intersect before rounding */
@@ -114,8 +116,8 @@ typedef struct {
   vs_hubs around;                /* corners of very many triangles, in the mesh with rounded corners */
   VS_LIST(uint32_t) hubs;        /* hubs[i]: the member `hub` of the run with the index i among the runs that are not
                                   * perpendicular to an axis */
-  vs_bvh bvh, busy_bvh;          /* bvh: boxes of all runs that are not perpendicular to an axis; busy_bvh: boxes of
-                                  * those in `busy` */
+  vs_bvh bvh, busy_bvh;          /* bvh: tree of the boxes of all runs that are not perpendicular to an axis; busy_bvh:
+                                  * tree of the boxes of the runs in `busy` */
   made found[VS_PIPELINE_WINDOW];
   struct { VS_LIST(pair) at, folds; } met[VS_PIPELINE_WINDOW]; /* at: pairs of triangles that intersect; folds: pairs of
                                                                 * triangles that share an edge and are folded onto each
@@ -445,7 +447,8 @@ static bool falls_away(const search *c, const run *a, const run *b) {
  * and edges between shared corners do not count. If a is perpendicular to an axis, corners in its plane are allowed,
  * because they stay in it. */
 static bool beyond(const search *c, const run *a, const run *b) {
-  uint32_t above = 0, below = 0, in[4 * FOURS]; /* in: for each corner of run b, its index in run a, or NOT_ITS */
+  uint32_t above = 0, below = 0, in[4 * FOURS]; /* in[i]: for corner i of run b, its index among the corners of run a,
+                                                 * or NOT_ITS */
   uint64_t shared = 0;
   bool touches = false, slopes = false;
   const corners *four = c->all.fours.at + b->first_four;
