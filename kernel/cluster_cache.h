@@ -6,7 +6,7 @@
 #include "kernel/problem.h"
 #include "kernel/cluster_copies.h"
 
-typedef VS_LIST(uint32_t) vs_places;    /* list[number]: index that was assigned to this number, or VS_NONE */
+typedef VS_LIST(uint32_t) vs_places;    /* for each tag or paint: its index in a list, or VS_NONE if not in it */
 
 typedef struct {
   VS_LIST(uint64_t) words;

@@ -252,8 +252,8 @@ static bool side_quick(const plane_work *w, const segment *s, uint32_t x, int *s
   return (e->low == p && e->high == q) || (e->low == q && e->high == p);
 }
 
-/* Computes the signs *a and *b of the sides of segment s on which the two ends of segment t lie. Only comparisons of *a
- * with *b and with 0 are meaningful. */
+/* Determines on which side of the line of segment s the two ends of segment t lie. Sets *a and *b to 0 for an end on
+ * the line, and to opposite signs for ends on opposite sides. Which side is positive is not specified. */
 static void sides_of(const plane_work *w, const segment *s, const segment *t, int *a, int *b) {
   bool known_a = side_quick(w, s, t->p, a), known_b = side_quick(w, s, t->q, b);
   if (known_a && known_b) return;

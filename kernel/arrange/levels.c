@@ -56,7 +56,8 @@ typedef struct {
   VS_LIST(uint32_t) number;
   VS_LIST(uint32_t) taken;       /* numbers p of the points for which number[p] is set, so that these elements can be
                                   * reset */
-  VS_LIST(uint32_t) moved;       /* moved[i]: number in the cluster of point i of the shell that is copied there */
+  VS_LIST(uint32_t) moved;       /* moved[i]: number that point i of a shell received when the shell was copied to the
+                                  * cluster */
   size_t done;
 } levels;
 

@@ -231,7 +231,7 @@ static bool find_fans(splitter *s) {
     s->taken.at[v] = 1;
     do {
       s->to.at[at] = to;
-      at = next_of(s->twins.at[at]); /* moves to the corner at this vertex in the next triangle around it */
+      at = next_of(s->twins.at[at]); /* moves to the next triangle around vertex v, to its corner at v */
     } while (at != corner);
   }
   return true;
