@@ -45,7 +45,7 @@ bool vs_exr_add_text(vs_exr *x, vs_exr_text text, const char *at, size_t length,
 /* Crops all channels to a rectangle of the picture, given in pixels from its upper left corner. Returns false when
  * memory is out; the picture is then unchanged. */
 bool vs_exr_crop(vs_exr *x, uint32_t left, uint32_t top, uint32_t columns, uint32_t rows, vs_error *e);
-/* Makes the bytes of an EXR file for the picture x. Equal pictures become equal bytes. Returns false and leaves *out
+/* Converts the picture x to the bytes of an EXR file. Equal pictures become equal bytes. Returns false and leaves *out
  * unchanged on failure. */
 bool vs_exr_write(const vs_exr *x, vs_made_bytes *out, vs_error *e);
 

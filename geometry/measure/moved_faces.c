@@ -12,7 +12,7 @@ enum { FACES_MOST = 64 }; /* greatest number of faces at one corner */
 static const double MISS = 1e-6; /* greatest deviation of a corner from a moved face that counts as 0, as a fraction of
                                   * the mesh's size */
 
-/* A face at a corner of the mesh. */
+/* A pair of a corner of the mesh and a face that contains it. */
 typedef struct {
   uint32_t corner, face;
   vs_vec3 normal; /* sum of the normals of the face's triangles at the corner, weighted by their angles */

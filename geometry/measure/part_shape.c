@@ -16,9 +16,9 @@
 typedef struct {
   vs_vec3 origin;
   double measure;
-  vs_vec3 first;          /* sum of the points relative to the origin */
-  double second[3][3];    /* sum of the outer products p p^T of the points */
-  vs_vec3 third;          /* sum of the points times the square of their distance from the origin */
+  vs_vec3 first;          /* weighted sum of the vectors p from `origin` to the points */
+  double second[3][3];    /* weighted sum of the outer products p p^T */
+  vs_vec3 third;          /* weighted sum of the vectors p, each times the square of its length */
 } sums;
 
 static void add(sums *s, vs_vec3 at, double weight) {

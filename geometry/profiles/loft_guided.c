@@ -56,7 +56,8 @@ static guided_frame guided_frame_at(const guided_way *way, double s) {
   return (guided_frame){ vs_v3_add(a->at, vs_v3_scale(vs_v3_sub(b->at, a->at), t)), across, vs_v3_cross(z, across), z };
 }
 
-/* Returns the arc length s >= `least` at which the path is nearest to the point c. */
+/* Returns the arc length s >= `least` at which the path is nearest to the point c. On a closed path, s may be in its
+ * second round. */
 static double guided_nearest(const vs_path *p, vs_vec3 c, double least) {
   double best = INFINITY, at = least;
   size_t n = p->closed ? p->count : p->count - 1;

@@ -124,7 +124,8 @@ static bool hull_face_new(vs_quickhull *h, uint32_t a, uint32_t b, uint32_t c, u
   return true;
 }
 
-/* Adds point p to the list of the first of the faces `from` to `to` - 1 that p lies above. from <= to <= h->count. */
+/* Searches the faces `from` to `to` - 1 for the first one below point p, and adds p to the list of points above that
+ * face. from <= to <= h->count. */
 static void hull_assign(vs_quickhull *h, uint32_t p, uint32_t from, uint32_t to) {
   VS_ASSERT(from <= to && to <= h->count);
   for (uint32_t f = from; f < to; f++) {

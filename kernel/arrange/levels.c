@@ -132,7 +132,7 @@ static bool add_shell(levels *l, vs_cluster *to, const shell *s, uint32_t family
 
 static bool end_facets(vs_kernel *k, vs_cluster *c) {
   if (!VS_PUSH(k, c->facets, ((vs_facet){ .leaf = VS_NONE, .first = (uint32_t)c->sides.count }))) return false;
-  c->facets.count--; /* removes the extra facet after the last one from the count; it stays in memory to mark the end */
+  c->facets.count--; /* the extra facet is not counted, but stays in memory: its `first` is the end of the last facet */
   return true;
 }
 

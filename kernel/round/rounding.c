@@ -163,9 +163,9 @@ static void merge_storeys(vs_storey *at, vs_storey *scratch, size_t low, size_t 
   while (i < n) at[to++] = scratch[i++];
 }
 
-/* Sorts the storeys (planes perpendicular to an axis that contain triangles) by axis and value. The caller may
- * interrupt between runs: a million boxes have some million storeys. Returns false when memory is out or the caller
- * interrupts. */
+/* Sorts the storeys (planes perpendicular to an axis that contain triangles) by axis and value. Sorts short runs first
+ * and then merges them, so that the caller of the kernel can interrupt in between: a million boxes have some million
+ * storeys. Returns false when memory is out or the caller interrupts. */
 static bool order_storeys(vs_kernel *k, vs_storey *at, size_t count) {
   enum { RUN = 1 << 15 };
   VS_LIST(vs_storey) scratch = { 0 };

@@ -64,7 +64,8 @@ typedef struct {
   uint32_t first, first_four, first_place;
   uint8_t count, fours;          /* count: number of triangles in the run (triangles tested together); fours: number of
                                   * groups of four corners */
-  bool is_low;                   /* true if the run is one triangle that is lower than some units of the last place */
+  bool is_low;                   /* true if the run is one triangle whose height is less than some units of the
+                                  * last place */
   uint8_t is_changed;            /* marks (VS_CHANGED ...) of the run's only triangle; 0 if the run has several
                                   * triangles */
   bool busy;                     /* true for a run that is not perpendicular to an axis, if it crosses or nearly touches
