@@ -18,7 +18,7 @@ const vs_pass_info *vs_pass_get(vs_pass_kind pass) {
 /* ---- counting ---- */
 
 static double order_commands(const vs_order *o, size_t drawn) {
-  /* a drawing of several objects counts as their union, whose commands are one less than its objects */
+  /* n objects drawn count as their union, a chain of n - 1 commands with two operands each */
   double commands = (drawn > 1 ? (double)(drawn - 1) : 0) + (double)o->lone;
   for (size_t i = 0; i < o->count; i++) {
     const vs_node *n = o->at[i].node;

@@ -169,8 +169,8 @@ static bool gather(sight *v) {
 /* ---- an edge and a triangle ---- */
 
 typedef struct { vs_vec3 p, d; double low[2], high[2], far, length, slack; double from, to; } line;
-    /* Returns the point of line l at the parameter s. The interval from l->from to l->to remains after the clipping so
-     * far. */
+    /* Returns the point p + s d of line l. l->from and l->to: values of s between which the line remains after the
+     * clipping so far. */
 
 static vs_vec3 place(const line *l, double s) { return vs_v3_add(l->p, vs_v3_scale(l->d, s)); }
 

@@ -19,10 +19,10 @@
 #include "model/vec.h"
 
 enum {
-  EVEN_LINES = 40,   /* number of lines at equal distances that are searched for a place */
+  EVEN_LINES = 40,   /* number of lines along X, at equal distances, on which a place for a part is searched */
   MOST_LINES = 200,
-  FINE_LINES = 6,    /* number of finer lines that are searched on each side of the best line, to improve the place */
-  FINER = 2,         /* number of times that finer lines are searched to improve a place */
+  FINE_LINES = 6,    /* number of further lines on each side of the best line, on which a better place is searched */
+  FINER = 2,         /* number of times that further, ever closer lines are searched to improve a place */
   MOST_CORNERS = 24, /* greatest number of corners of a part that keeps its exact outline; other parts get a simpler
                       * one */
   LATE = 30,         /* A new order is compared with the order this many changes before, see improve. */

@@ -140,7 +140,7 @@ VS_AHEAD look_ahead(const vs_cluster *c, uint32_t i, uint32_t stop) {
 }
 
 /* Unites two sides of faces into one cell if they face each other at an edge. The function handles the edges whose
- * smaller point number is in the range. */
+ * smaller point number is in range number `range` of the edge table. */
 static bool join_range(vs_kernel *k, void *context, size_t range) {
   walk *w = context;
   const vs_cluster *c = w->c;
