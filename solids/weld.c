@@ -119,7 +119,7 @@ static double height_of(const vs_mesh *m, const uint32_t t[3], int *longest) {
   return most > 0 ? vs_v3_length(n) / most : 0;
 }
 
-/* Lists the longest edges of triangles that are lower than the step. Each is to be led through the triangle's third
+/* Lists the longest edges of triangles whose height is below the step. Each is to be led through the triangle's third
  * corner; if two triangles have the edge, through the corner that is nearer to it. Returns the number of edges. */
 static size_t plan_detours(const vs_mesh *m, double step, detours *d) {
   size_t count = 0;
