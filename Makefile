@@ -6,6 +6,8 @@
 CC       ?= cc
 BUILD    ?= build
 PREFIX   ?= /usr/local
+LIB      ?= lib
+STRIP    ?= strip
 OPT      ?= -O2 -g
 VERSION   = $(shell sed -n 's/^.define VS_VERSION "\(.*\)"/\1/p' visualscheme.h)
 WARN      = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror=incompatible-pointer-types -Werror=int-conversion -Werror=implicit-function-declaration
@@ -333,21 +335,13 @@ gallery: all ## make build/gallery: a page with a picture of every example (POV-
 
 # ---- installing ----
 
-COMPLETIONS = bash-completion/completions/vs zsh/site-functions/_vs fish/vendor_completions.d/vs.fish
+PLACE     = PREFIX="$(PREFIX)" DESTDIR="$(DESTDIR)" LIB="$(LIB)" STRIP="$(STRIP)" sh packaging/place.sh
 
-install: all $(BUILD)/libvisualscheme.so ## install the program, its manual page and completions, the library and its header below PREFIX (default /usr/local)
-	install -d "$(DESTDIR)$(PREFIX)/bin" "$(DESTDIR)$(PREFIX)/lib/pkgconfig" "$(DESTDIR)$(PREFIX)/include"
-	install -m 755 $(BUILD)/vs "$(DESTDIR)$(PREFIX)/bin/vs"
-	for d in man/man1 $(dir $(COMPLETIONS)); do install -d "$(DESTDIR)$(PREFIX)/share/$$d" || exit 1; done
-	sh scripts/man.sh "$(VERSION)" > "$(DESTDIR)$(PREFIX)/share/man/man1/vs.1"
-	sh scripts/man3.sh "$(VERSION)" "$(DESTDIR)$(PREFIX)/share/man/man3"
-	for f in $(COMPLETIONS); do sh scripts/completions.sh $${f%%[-/]*} > "$(DESTDIR)$(PREFIX)/share/$$f" || exit 1; done
-	install -m 644 $(BUILD)/libvisualscheme.a "$(DESTDIR)$(PREFIX)/lib/"
-	install -m 755 $(BUILD)/libvisualscheme.so "$(DESTDIR)$(PREFIX)/lib/libvisualscheme.so.0"
-	ln -sf libvisualscheme.so.0 "$(DESTDIR)$(PREFIX)/lib/libvisualscheme.so"
-	install -m 644 visualscheme.h "$(DESTDIR)$(PREFIX)/include/"
-	printf 'Name: visualscheme\nDescription: solid modelling in Scheme\nVersion: %s\nCflags: -I%s/include\nLibs: -L%s/lib -lvisualscheme\nRequires.private: gmp libutf8proc\n' \
-	  "$(VERSION)" "$(PREFIX)" "$(PREFIX)" > "$(DESTDIR)$(PREFIX)/lib/pkgconfig/visualscheme.pc"
+install: all $(BUILD)/libvisualscheme.so ## install program, library, manual, examples, completions and desktop files below PREFIX (default /usr/local)
+	@$(PLACE) install "$(BUILD)" "$(VERSION)"
+
+uninstall: ## remove what make install has placed below PREFIX
+	@$(PLACE) uninstall
 
 clean: ## remove what was built
 	rm -rf build
@@ -355,5 +349,5 @@ clean: ## remove what was built
 help: ## list the targets
 	@awk -F ':.*## ' '/^help:.*## / { first = sprintf("make %-9s %s\n", $$1, $$2) } /^[a-z]+:.*## / && !/^help:/ { rest = rest sprintf("make %-9s %s\n", $$1, $$2) } END { printf "%s%s", first, rest }' Makefile
 
-.PHONY: all objects demo test check fresh units tools tests tested quick asan ubsan tsan static sanitized fuzz fuzzers coverage stress layers bless bench manual gallery install clean help
+.PHONY: all objects demo test check fresh units tools tests tested quick asan ubsan tsan static sanitized fuzz fuzzers coverage stress layers bless bench manual gallery install uninstall clean help
 -include $(OBJECTS:.o=.d) $(BUILD)/obj/scripts/stage0.d $(UNIT_BIN:=.d)

@@ -1,0 +1,85 @@
+#!/bin/sh
+# Tests `make install` and `make uninstall`: what is placed, that it works away from the sources, and that nothing is
+# left of it.
+. tests/report.sh
+wanted install || exit 0
+
+# A folder with a blank in its name, and files of others where ours will be.
+root="$work/a root/usr"
+mkdir -p "$root/share/applications" "$root/share/man/man1" "$root/bin"
+echo theirs > "$root/share/applications/other.desktop"; echo theirs > "$root/share/man/man1/other.1"
+everything() { (cd "$root" && find . -exec ls -ldn --time-style=+ {} + | awk '{ $2 = $5 = ""; print }' | sort); }
+everything > "$work/before"
+if ! MAKEFLAGS= make -s BUILD="${BUILD#"$PWD"/}" DESTDIR="$work/a root" PREFIX=/usr install > "$work/log" 2>&1; then
+  echo "not ok install/place"; tail -n 10 "$work/log" | sed 's/^/    /'; exit
+fi
+echo "ok install/place"
+
+# Each file of the folders for readers is there, as in the sources.
+tracked() { { [ -e .git ] && git ls-files "$@" 2> /dev/null; } || find "$@" -type f ! -name '*.pyc'; }
+tracked manual examples library editors LICENSE NOTICE README.md CHANGELOG.md > "$work/tracked"
+while read -r file; do
+  case $file in library/*|editors/*) place=share/visualscheme ;; *) place=share/doc/visualscheme ;; esac
+  cmp "$file" "$root/$place/$file"
+done < "$work/tracked" > "$work/why" 2>&1
+[ "$(wc -l < "$work/tracked")" -gt 200 ] || echo "only $(wc -l < "$work/tracked") files are compared" >> "$work/why"
+result install/documents "$work/why"
+
+# No debugger's data, and no writable or closed file.
+{ for file in bin/vs lib/libvisualscheme.so.0 lib/libvisualscheme.a; do objdump -h "$root/$file" | grep -q 'debug_info' && echo "$file has debug_info"; done
+  find "$root" -type f ! -perm 644 ! -perm 755; find "$root" -type d ! -perm 755; } > "$work/why" 2>&1
+if command -v objdump > /dev/null; then result install/stripped "$work/why"; else echo "skip install/stripped: no objdump (package binutils)"; fi
+
+# The README's main job with the installed program, from a folder of its own, gives the bytes of the built program.
+awk '/^```scheme$/ { on = 1; next } /^```$/ { if (on) exit } on' README.md > "$work/columns.vs"
+mkdir "$work/there" "$work/here"
+(cd "$work/there" && env -i HOME="$work/there" PATH="$root/bin:/usr/bin:/bin" vs -q ../columns.vs -o columns.html -o columns.stl -o columns.scad) > "$work/why" 2>&1
+(cd "$work/here" && "$vs" -q ../columns.vs -o columns.html -o columns.stl -o columns.scad) >> "$work/why" 2>&1
+diff -r "$work/here" "$work/there" >> "$work/why" 2>&1
+[ -s "$work/there/columns.stl" ] || echo "no columns.stl" >> "$work/why"
+result install/job "$work/why"
+
+# pkg-config gives the program's version and the places.
+version=$("$root/bin/vs" --version | sed -n '1s/^vs \([0-9.]*\).*/\1/p')
+: > "$work/why"
+if command -v pkg-config > /dev/null; then
+  said=$(PKG_CONFIG_PATH="$root/lib/pkgconfig" pkg-config --modversion visualscheme 2>&1)
+  [ -n "$version" ] && [ "$said" = "$version" ] || echo "pkg-config has version $said, vs has $version" >> "$work/why"
+  said=$(PKG_CONFIG_PATH="$root/lib/pkgconfig" pkg-config --variable=libdir visualscheme 2>&1)
+  [ "$said" = /usr/lib ] || echo "the library's folder is $said" >> "$work/why"
+  PKG_CONFIG_PATH="$root/lib/pkgconfig" pkg-config --libs visualscheme >> "$work/log" 2>> "$work/why"
+  result install/pkg-config "$work/why"
+else echo "skip install/pkg-config: no pkg-config"; fi
+
+# The desktop's files name what is there: programs, icon, type.
+: > "$work/why"
+for file in "$root"/share/applications/visualscheme*.desktop; do
+  said=$(sed -n 's/^Exec=\([^ ]*\).*/\1/p' "$file"); [ -x "$root/bin/$said" ] || echo "$file: no program $said"
+  said=$(sed -n 's/^Icon=//p' "$file"); [ -s "$root/share/icons/hicolor/scalable/apps/$said.svg" ] || echo "$file: no icon $said"
+  said=$(sed -n 's/^MimeType=\(.*\);/\1/p' "$file"); [ -z "$said" ] || grep -q "type=\"$said\"" "$root/share/mime/packages/visualscheme.xml" || echo "$file: no type $said"
+  ! command -v desktop-file-validate > /dev/null || desktop-file-validate "$file"
+done > "$work/why" 2>&1
+if command -v xmllint > /dev/null; then xmllint --noout "$root/share/mime/packages/visualscheme.xml" "$root/share/icons/hicolor/scalable/apps/visualscheme.svg" >> "$work/why" 2>&1; fi
+if command -v update-mime-database > /dev/null; then
+  cp -r "$root/share/mime" "$work/mime" && XDG_DATA_DIRS=$work update-mime-database "$work/mime" >> "$work/why" 2>&1
+  grep -qx '50:text/x-visualscheme:\*\.vs' "$work/mime/globs2" || echo "a .vs has no type" >> "$work/why"
+fi
+result install/desktop "$work/why"
+
+# Another version replaces this one: files that it has no more are removed, with their folders.
+placed() { PREFIX=/usr DESTDIR="$work/a root" sh packaging/place.sh "$@"; }
+everything > "$work/first"
+mkdir "$root/share/visualscheme/older" && echo older > "$root/share/visualscheme/older/file"
+printf '%s\n' 'f share/visualscheme/older/file' 'd share/visualscheme/older' >> "$root/share/visualscheme/installed"
+placed install "$BUILD" 0.0.0 > "$work/why" 2>&1
+everything | diff "$work/first" - | grep -v 'share/visualscheme/installed$' | grep '^[<>]' >> "$work/why"
+result install/replace "$work/why"
+
+placed uninstall > "$work/why" 2>&1
+everything | diff "$work/before" - >> "$work/why"
+grep -Lx theirs "$root/share/applications/other.desktop" "$root/share/man/man1/other.1" >> "$work/why"
+result install/uninstall "$work/why"
+placed uninstall > "$work/log" 2>&1; status=$?
+: > "$work/why"
+[ $status = 2 ] && grep -q '^nothing to remove: there is no .*/usr/share/visualscheme/installed$' "$work/log" || { echo "ended with $status"; cat "$work/log"; } > "$work/why"
+result install/nothing "$work/why"
