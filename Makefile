@@ -38,10 +38,12 @@ TOOL_BIN  = $(patsubst tests/tools/%.c,$(BUILD)/tools/%,$(wildcard tests/tools/*
 OBJECTS   = $(LIB_OBJ) $(CLI_OBJ)
 
 # Files that go into the library as they are: NAME.EXT is const char vs_asset_NAME_EXT[] up to vs_asset_NAME_EXT_end[]. They have a section of their
-# own, vs_files, so that the constants that a start reads lie together. The viewer's scripts are bundled with three.js by esbuild, both from npm (scripts/install.sh); without them the bundle is empty, and writing a page says so.
+# own, vs_files, so that the constants that a start reads lie together. The viewer's scripts are bundled with three.js by esbuild, both from npm (scripts/install.sh). A
+# release has the bundles in bundled/ (scripts/dist.sh). Without either the bundle is empty, and writing a page says so.
 ASSETS    = backends/page/page.html backends/page/viewer.css $(BUILD)/viewer.js
 ESBUILD   = $(firstword $(wildcard node_modules/@esbuild/*/bin/esbuild))
 BUNDLE    = $(ESBUILD) --bundle --minify --format=iife --target=es2022 --legal-comments=eof --log-level=warning
+UNBUNDLED = if [ -f bundled/$(@F) ]; then cp bundled/$(@F) $@; else : > $@; fi
 
 
 all: $(BUILD)/libvisualscheme.a $(BUILD)/vs ## build the library and the program, build/vs
@@ -68,12 +70,12 @@ LIVE_ASSETS = backends/page/live/live.html $(BUILD)/live.css $(BUILD)/live.js
 
 $(BUILD)/viewer.js: backends/page/page.js $(wildcard backends/page/*.js) package.json $(wildcard node_modules/.package-lock.json)
 	@mkdir -p $(@D)
-	@if [ -n "$(ESBUILD)" ]; then $(BUNDLE) $< --outfile=$@; else : > $@; fi
+	@if [ -n "$(ESBUILD)" ]; then $(BUNDLE) $< --outfile=$@; else $(UNBUNDLED); fi
 
 # three.js and fflate name themselves in comments that esbuild keeps; what else is bundled stands in NOTICE.
 $(BUILD)/live.js: backends/page/live/live.js $(wildcard backends/page/*.js backends/page/live/*.js) package.json NOTICE $(wildcard node_modules/.package-lock.json)
 	@mkdir -p $(@D)
-	@if [ -n "$(ESBUILD)" ]; then $(BUNDLE) --footer:js="/*! $$(awk '/^[^ ]/ { on = /^Embedded/ } on' NOTICE) */" $< --outfile=$@; else : > $@; fi
+	@if [ -n "$(ESBUILD)" ]; then $(BUNDLE) --footer:js="/*! $$(awk '/^[^ ]/ { on = /^Embedded/ } on' NOTICE) */" $< --outfile=$@; else $(UNBUNDLED); fi
 
 $(BUILD)/live.css: backends/page/live/live.css backends/page/viewer.css
 	@mkdir -p $(@D)
@@ -343,11 +345,15 @@ install: all $(BUILD)/libvisualscheme.so ## install program, library, manual, ex
 uninstall: ## remove what make install has placed below PREFIX
 	@$(PLACE) uninstall
 
+dist: ## make a release, build/visualscheme-VERSION.tar.gz, which builds without npm and node
+	BUILD=$(BUILD) sh scripts/install.sh build
+	sh scripts/dist.sh $(BUILD) $(VERSION)
+
 clean: ## remove what was built
 	rm -rf build
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^help:.*## / { first = sprintf("make %-9s %s\n", $$1, $$2) } /^[a-z]+:.*## / && !/^help:/ { rest = rest sprintf("make %-9s %s\n", $$1, $$2) } END { printf "%s%s", first, rest }' Makefile
 
-.PHONY: all objects demo test check fresh units tools tests tested quick asan ubsan tsan static sanitized fuzz fuzzers coverage stress layers bless bench manual gallery install uninstall clean help
+.PHONY: all objects demo test check fresh units tools tests tested quick asan ubsan tsan static sanitized fuzz fuzzers coverage stress layers bless bench manual gallery install uninstall dist clean help
 -include $(OBJECTS:.o=.d) $(BUILD)/obj/scripts/stage0.d $(UNIT_BIN:=.d)

@@ -2,7 +2,8 @@
 # Prepares a machine: installs the packages of scripts/packages.list for the named purposes, and fetches packages
 # from npm: the viewer's parts for a build, those of tests/package.json for the tests. Does nothing, and asks for
 # nothing, if all is installed. For Debian and Ubuntu; elsewhere it prints the needed packages. If npm can fetch
-# nothing, the script goes on: BUILD/no-page then gives the reason why there will be no web page.
+# nothing, the script goes on: BUILD/no-page then gives the reason why there will be no web page. A release has bundled/,
+# and a build of it needs nothing from npm.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 build=${BUILD:-build} purposes=" $* "
@@ -38,7 +39,7 @@ for purpose in $purposes; do
 done
 
 viewer= checkers=
-if wants build && ! { [ -d node_modules/three ] && [ -d node_modules/esbuild ]; }; then viewer=1; fi
+if wants build && ! [ -f bundled/viewer.js ] && ! { [ -d node_modules/three ] && [ -d node_modules/esbuild ]; }; then viewer=1; fi
 if wants tests && ! { [ -d tests/node_modules/playwright-core ] && [ -d tests/node_modules/gltf-validator ]; }; then checkers=--omit=optional; fi
 if wants check && ! [ -d tests/node_modules/x_ite ]; then checkers=--include=optional; fi
 # If a node is installed, the script never installs Debian's: it would break the other.

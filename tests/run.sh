@@ -17,7 +17,7 @@ set -u
 cd "$(dirname "$0")/.." || exit 1
 [ "${1:-}" = --suite ] || BUILD=${1:-build}
 case $BUILD in /*) ;; *) BUILD=$PWD/$BUILD ;; esac
-SUITES=${SUITES:-unit lang javascript cli shell editors format lsp mcp desk prompt keys signals manual bad workers cross texts slips solids embed install limits layers compilers${LONG:+ page live determinism}}
+SUITES=${SUITES:-unit lang javascript cli shell editors format lsp mcp desk prompt keys signals manual bad workers cross texts slips solids embed install release limits layers compilers${LONG:+ page live determinism}}
 export BUILD ONLY="${ONLY:-}" BLESS="${BLESS:-}" LONG="${LONG:-}" LC_ALL=C.UTF-8
 . tests/limited.sh
 work=$(mktemp -d) || exit 1
@@ -70,6 +70,7 @@ suite_bad()       { case $ONLY in ""|bad*) limited 300 "$BUILD/tools/badcalls" t
 suite_limits()    { sh tests/limits.sh; }
 suite_determinism() { sh tests/determinism.sh; }
 suite_install()   { sh tests/install.sh; }
+suite_release()   { sh tests/release.sh; }
 suite_embed()     { [ ! -f tests/embed.sh ] || sh tests/embed.sh; }
 suite_layers() {
   if ! command -v objdump >/dev/null 2>&1; then echo "skip layers: no objdump (package binutils)"; return; fi
