@@ -194,7 +194,8 @@ static bool take_json(vs_scheme *vm, const dynamic_functions *j, json_t *root, v
 static vs_status json_parse(vs_scheme *vm, const char *text, size_t length, const char *name, vs_value *out) {
   dynamic_functions j;
   vs_error e = { 0 };
-  if (!vs_dynamic_load(&vs_json_library, dynamic_names, sizeof dynamic_names / sizeof *dynamic_names, &j, &e)) {
+  if (!vs_dynamic_load(VS_LIBRARY_JANSSON, "JSON", dynamic_names, sizeof dynamic_names / sizeof *dynamic_names, &j,
+                       &e)) {
     vs_fail(vm, vm->sym.file, "%s", e.message);
     return VS_ERROR;
   }

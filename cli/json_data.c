@@ -30,8 +30,9 @@ VS_DYNAMIC_FUNCTIONS(FUNCTIONS);
 bool cli_data_open(cli_data_reader *r) {
   vs_error e = { 0 };
   *r = (cli_data_reader){ .functions = vs_zeros(1, sizeof(dynamic_functions)) };
-  if (r->functions && vs_dynamic_load(&vs_json_library, dynamic_names, sizeof dynamic_names / sizeof *dynamic_names,
-                                      r->functions, &e)) return true;
+  if (r->functions && vs_dynamic_load(VS_LIBRARY_JANSSON, "JSON", dynamic_names,
+                                      sizeof dynamic_names / sizeof *dynamic_names, r->functions, &e))
+    return true;
   snprintf(r->trouble, sizeof r->trouble, "%s", r->functions ? e.message : "out of memory");
   return false;
 }

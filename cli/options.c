@@ -65,7 +65,13 @@ bool cli_command_suggest(const char *word, FILE *to) {
 extern const char vs_licenses_text[], vs_licenses_text_end[]; /* the texts of LICENSE and NOTICE, embedded by the
                                                                * Makefile */
 
-static void print_version(void) { printf("vs %s\n", vs_version()); }
+static void print_version(void) {
+  printf("vs %s\n\nThe licence is MIT; vs --licenses prints it, and those of included software.\n", vs_version());
+  puts("\nLibraries of others, with their licences:");
+#define LINKED(name, licence) puts("  " name ": " licence);
+#define LOADED(id, name, licence, package, uses, ...) puts("  " name ", for " uses ": " licence);
+#include "geometry/used_libraries.def"
+}
 
 static void print_licenses(void) {
   fwrite(vs_licenses_text, 1, (size_t)(vs_licenses_text_end - vs_licenses_text), stdout);

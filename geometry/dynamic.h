@@ -10,12 +10,12 @@
 
 #include "model/node.h"
 
-typedef struct {
-  const char *const *files; /* file names to try in order, such as "libgeos_c.so.1"; the list ends with NULL */
-  const char *package;      /* name of the Debian package that contains the library */
-  const char *purpose;      /* the feature that needs the library, such as "offsets"; it is the subject of error
-                             * messages */
-} vs_dynamic_library;
+/* the libraries of used_libraries.def that are loaded at their first use */
+typedef enum {
+#define LOADED(id, ...) VS_LIBRARY_##id,
+#include "geometry/used_libraries.def"
+  VS_LIBRARIES
+} vs_library;
 typedef struct {
   const char *symbol; /* name of a library function */
   size_t offset;      /* position, in the caller's struct, of the pointer to this function, in bytes */
@@ -29,12 +29,10 @@ typedef struct {
 #define VS_DYNAMIC_MEMBER(member, symbol, result, parameters) result (*member) parameters;
 #define VS_DYNAMIC_ROW(member, symbol, result, parameters) { #symbol, offsetof(dynamic_functions, member) },
 
-extern const vs_dynamic_library vs_json_library; /* the library jansson, which reads JSON in bind/ and cli/ */
-
 /* Loads the library. Sets the `count` pointers in the caller's struct that the table `names` describes. The library
- * stays loaded. Returns false if the library or a function is missing; e is then VS_ERROR_WORKER with the package's
- * name. */
-bool vs_dynamic_load(const vs_dynamic_library *library, const vs_dynamic_name *names, size_t count, void *functions,
-                     vs_error *e);
+ * stays loaded. purpose: the feature that needs it, such as "offsets", the subject of error messages. Returns false if
+ * the library or a function is missing; e is then VS_ERROR_WORKER with the package's name. */
+bool vs_dynamic_load(vs_library library, const char *purpose, const vs_dynamic_name *names, size_t count,
+                     void *functions, vs_error *e);
 
 #endif

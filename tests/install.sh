@@ -39,6 +39,21 @@ diff -r "$work/here" "$work/there" >> "$work/why" 2>&1
 [ -s "$work/there/columns.stl" ] || echo "no columns.stl" >> "$work/why"
 result install/job "$work/why"
 
+# Each library of used_libraries.def is a file of the package that its row names; vs --version prints all with licences.
+sed -e ':again' -e '/^LOADED(.*,$/{N;s/\n */ /;b again' -e '}' geometry/used_libraries.def | sed -n 's/^LOADED(//p' |
+  sed 's/CHOLMOD_FILE/"libcholmod.so.[0-9]*"/; s/JPEG_FILE/"libjpeg.so.[0-9]*"/' | awk -F '"' '{ print $2 "|" $4 "|" $6 "|" $10 }' > "$work/rows"
+"$vs" --version > "$work/version"
+: > "$work/why"
+while IFS='|' read -r name licence package file; do
+  grep -q "^  $name, for .*: $licence\$" "$work/version" || echo "vs --version lacks $name"
+  [ -f /etc/os-release ] && grep -q bookworm /etc/os-release && command -v dpkg > /dev/null || continue
+  path=$(ldconfig -p | sed -n "s|^.$file .*=> ||p" | head -n 1)
+  if [ -z "$path" ]; then echo "$name: $file of $package is not installed"
+  else dpkg -S "$(readlink -f "$path")" "$path" 2> /dev/null | grep -q "^$package:" || echo "$name: $path is not in $package"; fi
+done < "$work/rows" > "$work/why" 2>&1
+[ "$(wc -l < "$work/rows")" = "$(grep -c '^LOADED(' geometry/used_libraries.def)" ] || echo "some rows are not read" >> "$work/why"
+result install/libraries "$work/why"
+
 # pkg-config gives the program's version and the places.
 version=$("$root/bin/vs" --version | sed -n '1s/^vs \([0-9.]*\).*/\1/p')
 : > "$work/why"

@@ -13,14 +13,12 @@
 #include "geometry/text/fontfile.h"
 
 static bool load(vs_pdf_library *p, vs_error *e) {
-  static const char *const files[] = { "libhpdf-2.3.0.so", "libhpdf.so.2.4", "libhpdf.so.2.3", "libhpdf.so", NULL };
-  static const vs_dynamic_library library = { files, "libhpdf-2.3.0", "writing .pdf" };
   static const vs_dynamic_name names[] = {
 #define PDF_NAME(name) { #name, offsetof(vs_pdf_library, name) },
     VS_PDF_FUNCTIONS(PDF_NAME)
 #undef PDF_NAME
   };
-  return vs_dynamic_load(&library, names, sizeof names / sizeof *names, p, e);
+  return vs_dynamic_load(VS_LIBRARY_HPDF, "writing .pdf", names, sizeof names / sizeof *names, p, e);
 }
 
 static const double point = 72 / 25.4; /* number of points in a millimetre */

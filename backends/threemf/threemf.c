@@ -28,14 +28,12 @@ typedef struct {
 } zip_library;
 
 static bool zip_load(zip_library *z, vs_error *e) {
-  static const char *const files[] = { "libzip.so.4", "libzip.so.5", "libzip.so", NULL };
-  static const vs_dynamic_library library = { files, "libzip4", "writing .3mf" };
   static const vs_dynamic_name names[] = {
 #define ZIP_NAME(name) { #name, offsetof(zip_library, name) },
     ZIP_FUNCTIONS(ZIP_NAME)
 #undef ZIP_NAME
   };
-  return vs_dynamic_load(&library, names, sizeof names / sizeof *names, z, e);
+  return vs_dynamic_load(VS_LIBRARY_LIBZIP, "writing .3mf", names, sizeof names / sizeof *names, z, e);
 }
 
 /* ---- the model ---- */

@@ -21,14 +21,12 @@ struct vs_deflate {
 };
 
 static bool zlib_load(vs_deflate *d, vs_error *e) {
-  static const char *const files[] = { "libz.so.1", "libz.so", NULL };
-  static const vs_dynamic_library library = { files, "zlib1g", "writing .html" };
   static const vs_dynamic_name names[] = {
 #define ZLIB_NAME(name) { #name, offsetof(vs_deflate, name) },
     ZLIB_FUNCTIONS(ZLIB_NAME)
 #undef ZLIB_NAME
   };
-  return vs_dynamic_load(&library, names, sizeof names / sizeof *names, d, e);
+  return vs_dynamic_load(VS_LIBRARY_ZLIB, "writing .html", names, sizeof names / sizeof *names, d, e);
 }
 
 /* zlib's memory comes from the store, so that a limit of memory includes it. A head before each block contains the

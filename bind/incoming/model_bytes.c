@@ -82,14 +82,13 @@ static bool unpack(vs_scheme *vm, const dynamic_functions *z, zip_t *zip, const 
 
 /* Returns the XML events of a part of the package, or #f if it has no such part. */
 static vs_status package_part(vs_scheme *vm, vs_value path, vs_value name, const vs_text *file, vs_value *out) {
-  static const char *const files[] = { "libzip.so.4", "libzip.so.5", "libzip.so", NULL };
-  static const vs_dynamic_library library = { files, "libzip4", "reading .3mf" };
   dynamic_functions z;
   vs_error e = { 0 };
   vs_text part, text;
   VS_ROOTS(vm, r, 1);
   r[0] = path;
-  if (!vs_dynamic_load(&library, dynamic_names, sizeof dynamic_names / sizeof *dynamic_names, &z, &e))
+  if (!vs_dynamic_load(VS_LIBRARY_LIBZIP, "reading .3mf", dynamic_names, sizeof dynamic_names / sizeof *dynamic_names,
+                       &z, &e))
     return vs_fail(vm, vm->sym.file, "%s", e.message);
   vs_text_open(vm, &part, 0);
   vs_text_open(vm, &text, 0);

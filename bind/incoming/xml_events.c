@@ -167,13 +167,12 @@ static bool parse_xml(xml_reading *x, const vs_text *text) {
 }
 
 vs_status vs_xml_text_events(vs_scheme *vm, vs_value path, const vs_text *text, bool meshes, vs_value *out) {
-  static const char *const files[] = { "libexpat.so.1", "libexpat.1.dylib", NULL };
-  static const vs_dynamic_library library = { files, "libexpat1", "XML" };
   vs_error e = { 0 };
   VS_ROOTS(vm, r, 2); /* roots: the events, the path */
   r[0] = VS_NIL, r[1] = path;
   xml_reading x = { .vm = vm, .events = &r[0], .path = &r[1], .meshes = meshes };
-  if (!vs_dynamic_load(&library, dynamic_names, sizeof dynamic_names / sizeof *dynamic_names, &x.call, &e))
+  if (!vs_dynamic_load(VS_LIBRARY_EXPAT, "XML", dynamic_names, sizeof dynamic_names / sizeof *dynamic_names, &x.call,
+                       &e))
     return vs_fail(vm, vm->sym.file, "%s", e.message);
   vs_text_open(vm, &x.text, 0);
   vs_text_open(vm, &x.numbers, 0);

@@ -57,14 +57,13 @@ static const struct { const char *port; int kind; } rows[WIRE_SOCKETS] = {
 };
 
 static bool load(kernel_wire *w) {
-  static const char *const zmq_files[] = { "libzmq.so.5", "libzmq.so", NULL };
-  static const char *const nettle_files[] = { "libnettle.so.8", "libnettle.so.9", "libnettle.so", NULL };
-  static const vs_dynamic_library zmq = { zmq_files, "libzmq5", "notebooks" };
-  static const vs_dynamic_library nettle = { nettle_files, "libnettle8", "signatures" };
   vs_error e = { 0 };
   functions *f = w->functions = vs_zeros(1, sizeof *f);
-  bool ok = f && vs_dynamic_load(&zmq, dynamic_names, sizeof dynamic_names / sizeof *dynamic_names, &f->zmq, &e) &&
-            vs_dynamic_load(&nettle, signing_names, sizeof signing_names / sizeof *signing_names, &f->sign, &e);
+  bool ok = f &&
+            vs_dynamic_load(VS_LIBRARY_ZEROMQ, "notebooks", dynamic_names, sizeof dynamic_names / sizeof *dynamic_names,
+                            &f->zmq, &e) &&
+            vs_dynamic_load(VS_LIBRARY_NETTLE, "signatures", signing_names,
+                            sizeof signing_names / sizeof *signing_names, &f->sign, &e);
   if (!ok) fprintf(stderr, "vs jupyter: %s\n", f ? e.message : "out of memory");
   else if (!cli_data_open(&w->json)) fprintf(stderr, "vs jupyter: %s\n", w->json.trouble), ok = false;
   return ok;

@@ -118,12 +118,11 @@ static bool hash_one(void *context, const char *path, const char *name, bool fol
 }
 
 bool package_hash(const char *folder, char hash[PACKAGE_HASH], char why[PACKAGE_WHY]) {
-  static const char *const files[] = { "libnettle.so.8", "libnettle.so.9", "libnettle.so", NULL };
-  static const vs_dynamic_library library = { files, "libnettle8", "packages" };
   hashing h;
   vs_error e = { 0 };
   uint8_t bytes[32];
-  if (!vs_dynamic_load(&library, dynamic_names, sizeof dynamic_names / sizeof *dynamic_names, &h.f, &e)) {
+  if (!vs_dynamic_load(VS_LIBRARY_NETTLE, "packages", dynamic_names, sizeof dynamic_names / sizeof *dynamic_names, &h.f,
+                       &e)) {
     snprintf(why, PACKAGE_WHY, "%.250s", e.message);
     return false;
   }

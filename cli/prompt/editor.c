@@ -40,14 +40,14 @@ static struct {
 } libedit;
 
 static bool load_libedit(void) {
-  static const char *const files[] = { "libedit.so.2", "libedit.so.0", "libedit.so", NULL };
-  static const vs_dynamic_library library = { files, "libedit2", "the prompt's line editor" };
   static const vs_dynamic_name names[] = {
 #define EDIT(name) { #name, offsetof(__typeof__(libedit), name) },
 #include "cli/prompt/libedit.def"
   };
   vs_error error = { 0 };
-  if (vs_dynamic_load(&library, names, sizeof names / sizeof *names, &libedit, &error)) return true;
+  if (vs_dynamic_load(VS_LIBRARY_LIBEDIT, "the prompt's line editor", names, sizeof names / sizeof *names, &libedit,
+                      &error))
+    return true;
   fprintf(stderr, "vs: %s\n", error.message);
   return false;
 }

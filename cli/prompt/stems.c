@@ -7,14 +7,12 @@
 #include "geometry/dynamic.h"
 
 void cli_stems_open(cli_stems *s) {
-  static const char *const files[] = { "libstemmer.so.0d", "libstemmer.so.0", "libstemmer.so", NULL };
-  static const vs_dynamic_library library = { files, "libstemmer0d", "the stems of words" };
   static const vs_dynamic_name names[] = {
 #define STEM(name) { #name, offsetof(__typeof__(((cli_stems *)0)->call), name) },
 #include "cli/prompt/stems.def"
   };
   vs_error error = { 0 };
-  if (vs_dynamic_load(&library, names, sizeof names / sizeof *names, &s->call, &error))
+  if (vs_dynamic_load(VS_LIBRARY_STEMMER, "the stems of words", names, sizeof names / sizeof *names, &s->call, &error))
     s->english = s->call.sb_stemmer_new("english", NULL);
   else s->english = NULL;
 }

@@ -109,8 +109,6 @@ static bool latin(const sweep_sample *s, size_t axes, double *points) {
 /* NLopt's generator, which its library exports and its header does not declare. */
 typedef struct nlopt_soboldata_s nlopt_sobol_state;
 
-static const char *const sobol_files[] = {"libnlopt.so.0", "libnlopt.so.1", "libnlopt.dylib", NULL};
-static const vs_dynamic_library sobol_library = {sobol_files, "libnlopt0", "--sample sobol"};
 #define FUNCTIONS(F)                                                                  \
   F(begin, nlopt_sobol_create, nlopt_sobol_state *, (unsigned))                       \
   F(next, nlopt_sobol_next01, void, (nlopt_sobol_state *, double *))                  \
@@ -123,7 +121,8 @@ static bool sobol(const sweep_sample *s, size_t axes, double *points) {
   dynamic_functions f;
   vs_error e = {0};
   uint64_t state = s->seed;
-  if (!vs_dynamic_load(&sobol_library, dynamic_names, sizeof dynamic_names / sizeof *dynamic_names, &f, &e))
+  if (!vs_dynamic_load(VS_LIBRARY_NLOPT, "--sample sobol", dynamic_names, sizeof dynamic_names / sizeof *dynamic_names,
+                       &f, &e))
     return fprintf(stderr, "vs sweep: %s\n", e.message), false;
   if (axes > SOBOL_AXES)
     return fprintf(stderr, "vs sweep: a Sobol sequence has at most %d parameters; --sample lhs:%zu has no limit\n",

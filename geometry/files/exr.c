@@ -166,7 +166,8 @@ static exr_result_t exr_put_lines(const dynamic_functions *call, exr_context_t c
 
 bool vs_exr_write(const vs_exr *x, vs_made_bytes *out, vs_error *e) {
   dynamic_functions call;
-  if (!vs_dynamic_load(&vs_exr_library, dynamic_names, sizeof dynamic_names / sizeof *dynamic_names, &call, e))
+  if (!vs_dynamic_load(VS_LIBRARY_OPENEXR, "EXR pictures", dynamic_names, sizeof dynamic_names / sizeof *dynamic_names,
+                       &call, e))
     return false;
   exr_file f = { .store = x->store };
   exr_context_initializer_t how = EXR_DEFAULT_CONTEXT_INITIALIZER;

@@ -4,10 +4,6 @@
 
 #include <openexr.h>
 
-#include "geometry/dynamic.h"
-
-extern const vs_dynamic_library vs_exr_library;
-
 /* Receives and discards a message of the library, whose result codes contain the same information. */
 void vs_exr_quiet(exr_const_context_t c, exr_result_t code, const char *message);
 

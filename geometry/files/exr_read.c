@@ -254,7 +254,8 @@ static void exr_cut(exr_reader *r, const vs_exr_window *w) {
 bool vs_exr_decode(vs_store *store, const vs_file_bytes *file, const vs_exr_window *window, vs_exr_choose *choose,
                    void *context, vs_error *e) {
   exr_reader r = { .store = store };
-  if (!vs_dynamic_load(&vs_exr_library, dynamic_names, sizeof dynamic_names / sizeof *dynamic_names, &r.call, e))
+  if (!vs_dynamic_load(VS_LIBRARY_OPENEXR, "EXR pictures", dynamic_names, sizeof dynamic_names / sizeof *dynamic_names,
+                       &r.call, e))
     return false;
   vs_file_bytes memory = *file;
   exr_context_initializer_t how = EXR_DEFAULT_CONTEXT_INITIALIZER;

@@ -38,12 +38,6 @@ static const vs_dynamic_name jpeg_names[] = {
   { "jpeg_finish_decompress", offsetof(jpeg_functions, finish) },
   { "jpeg_destroy_decompress", offsetof(jpeg_functions, destroy) },
 };
-#if JPEG_LIB_VERSION >= 80
-static const char *const jpeg_files[] = { "libjpeg.so.8", "libjpeg.so", NULL };
-#else
-static const char *const jpeg_files[] = { "libjpeg.so.62", "libjpeg.so", NULL };
-#endif
-static const vs_dynamic_library jpeg_library = { jpeg_files, "libjpeg62-turbo", "JPEG pictures" };
 
 /* The error handling that libjpeg gets. After an error it leaves by longjmp; after a warning libjpeg continues. A
  * complete file causes no warning. */
@@ -100,7 +94,8 @@ bool vs_jpeg_read(vs_store *store, const vs_file_bytes *file, vs_jpeg_bytes *out
   const char *name = file->name;
   jpeg_functions call;
   jpeg_line line = { NULL, 0 };
-  if (!vs_dynamic_load(&jpeg_library, jpeg_names, sizeof jpeg_names / sizeof *jpeg_names, &call, e)) return false;
+  if (!vs_dynamic_load(VS_LIBRARY_JPEG, "JPEG pictures", jpeg_names, sizeof jpeg_names / sizeof *jpeg_names, &call, e))
+    return false;
   *out = (vs_jpeg_bytes){ 0 };
   bool ok = true;
   for (int pass = 0; ok && pass < 2; pass++) { /* the first pass reads only the header, to check the picture's size; the

@@ -28,9 +28,6 @@ static const vs_dynamic_name png_names[] = {
   { "png_image_free", offsetof(png_functions, free) },
 };
 
-static const char *const png_files[] = { "libpng16.so.16", "libpng16.so", NULL };
-const vs_dynamic_library vs_png_library = { png_files, "libpng16-16", "PNG pictures" };
-
 static uint32_t png_number(const unsigned char *b) {
   return (uint32_t)b[0] << 24 | (uint32_t)b[1] << 16 | (uint32_t)b[2] << 8 | (uint32_t)b[3];
 }
@@ -57,7 +54,8 @@ static size_t png_bare(const unsigned char *bytes, size_t size, unsigned char *t
 bool vs_png_read(vs_store *store, const vs_file_bytes *file, vs_png_pixels *out, vs_error *e) {
   png_functions call;
   *out = (vs_png_pixels){ 0 };
-  if (!vs_dynamic_load(&vs_png_library, png_names, sizeof png_names / sizeof *png_names, &call, e)) return false;
+  if (!vs_dynamic_load(VS_LIBRARY_PNG, "PNG pictures", png_names, sizeof png_names / sizeof *png_names, &call, e))
+    return false;
   unsigned char *bare = vs_store_realloc(store, NULL, 0, file->size);
   if (!bare) return vs_error_memory(e, NULL);
   size_t kept = png_bare(file->at, file->size, bare);

@@ -50,7 +50,7 @@ static png_sink *png_sink_of(png_structp png) {
   struct { void *(*sink)(png_const_structp); } call = { NULL };
   static const vs_dynamic_name name = { "png_get_error_ptr", 0 };
   vs_error none = { VS_ERROR_NONE, NULL, "" };
-  return vs_dynamic_load(&vs_png_library, &name, 1, &call, &none) ? call.sink(png) : NULL;
+  return vs_dynamic_load(VS_LIBRARY_PNG, "PNG pictures", &name, 1, &call, &none) ? call.sink(png) : NULL;
 }
 
 static void png_failed(png_structp png, const char *message) {
@@ -100,7 +100,8 @@ static bool png_rows(png_sink *s, const vs_pixels *picture) {
 
 bool vs_png_write(vs_store *store, const vs_pixels *picture, vs_made_bytes *out, vs_error *e) {
   png_sink s = { .store = store };
-  if (!vs_dynamic_load(&vs_png_library, dynamic_names, sizeof dynamic_names / sizeof *dynamic_names, &s.call, e))
+  if (!vs_dynamic_load(VS_LIBRARY_PNG, "PNG pictures", dynamic_names, sizeof dynamic_names / sizeof *dynamic_names,
+                       &s.call, e))
     return false;
   bool ok = png_rows(&s, picture);
   if (s.png) s.call.close(&s.png, &s.info);

@@ -29,6 +29,4 @@ bool vs_raster_room(vs_raster *r, const char *name, uint64_t columns, uint64_t r
 /* weights of red, green and blue in the luminance (Rec. 709) */
 static const double vs_raster_share[3] = { 0.2126, 0.7152, 0.0722 };
 
-extern const vs_dynamic_library vs_png_library; /* libpng: its file names and its package, for loading it at run time */
-
 #endif

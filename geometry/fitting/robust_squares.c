@@ -45,10 +45,8 @@ typedef struct {
 } minpack;
 
 static bool load(minpack *out, vs_error *e) {
-  static const char *const files[] = { "libcminpack.so.1", "libcminpack.so", NULL };
-  static const vs_dynamic_library library = { files, "libcminpack-dev", "fitting" };
   static const vs_dynamic_name names[] = { { "lmder", offsetof(minpack, lmder) } };
-  return vs_dynamic_load(&library, names, sizeof names / sizeof *names, out, e);
+  return vs_dynamic_load(VS_LIBRARY_CMINPACK, "fitting", names, sizeof names / sizeof *names, out, e);
 }
 
 typedef struct {

@@ -85,15 +85,13 @@ static void geos_hear(const char *message, void *to) {
 static void geos_ignore(const char *message, void *to) { (void)message, (void)to; }
 
 static bool geos_open(vs_geos *g, const char *purpose, vs_error *e) {
-  static const char *const files[] = { "libgeos_c.so.1", NULL };
   static const vs_dynamic_name names[] = {
 #define X(name) { #name, offsetof(vs_geos, name) },
     VS_GEOS(X)
 #undef X
   };
-  const vs_dynamic_library library = { files, "libgeos-c1v5", purpose };
   memset(g, 0, sizeof *g);
-  if (!vs_dynamic_load(&library, names, sizeof names / sizeof *names, g, e)) return false;
+  if (!vs_dynamic_load(VS_LIBRARY_GEOS, purpose, names, sizeof names / sizeof *names, g, e)) return false;
   g->h = g->GEOS_init_r();
   if (!g->h) return vs_error_memory(e, NULL);
   g->GEOSContext_setErrorMessageHandler_r(g->h, geos_hear, g);

@@ -48,14 +48,12 @@ struct vs_search {
 };
 
 static bool load(nlopt_calls *out, vs_error *e) {
-  static const char *const files[] = { "libnlopt.so.0", "libnlopt.so.1", NULL };
-  static const vs_dynamic_library library = { files, "libnlopt-dev", "optimise" };
   static const vs_dynamic_name names[] = {
 #define X(name) { #name, offsetof(nlopt_calls, name) },
     NLOPT_CALLS(X)
 #undef X
   };
-  return vs_dynamic_load(&library, names, sizeof names / sizeof *names, out, e);
+  return vs_dynamic_load(VS_LIBRARY_NLOPT, "optimise", names, sizeof names / sizeof *names, out, e);
 }
 
 /* ---- NLopt's thread ---- */

@@ -21,10 +21,8 @@ typedef void dsyev(const char *job, const char *half, const int *n, double *a, c
 typedef struct { dsyev *solve; } lapack;
 
 static bool load(lapack *out, vs_error *e) {
-  static const char *const files[] = { "liblapack.so.3", NULL };
-  static const vs_dynamic_library library = { files, "liblapack3", "modes of frames" };
   static const vs_dynamic_name names[] = { { "dsyev_", offsetof(lapack, solve) } };
-  return vs_dynamic_load(&library, names, sizeof names / sizeof *names, out, e);
+  return vs_dynamic_load(VS_LIBRARY_LAPACK, "modes of frames", names, sizeof names / sizeof *names, out, e);
 }
 
 typedef struct {

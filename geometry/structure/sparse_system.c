@@ -36,20 +36,13 @@ struct vs_sparse {
   size_t n;
 };
 
-/* The name of the library's file contains the version of the header, because cholmod_common differs between
- * versions. */
-#define TEXT_OF(x) #x
-#define FILE_OF(version) "libcholmod.so." TEXT_OF(version)
-
 static bool load(cholmod_calls *out, const char *purpose, vs_error *e) {
-  static const char *const files[] = { FILE_OF(CHOLMOD_MAIN_VERSION), NULL };
   static const vs_dynamic_name names[] = {
 #define X(name) { #name, offsetof(cholmod_calls, name) },
     CHOLMOD_CALLS(X)
 #undef X
   };
-  const vs_dynamic_library library = { files, "libsuitesparse-dev", purpose };
-  return vs_dynamic_load(&library, names, sizeof names / sizeof *names, out, e);
+  return vs_dynamic_load(VS_LIBRARY_CHOLMOD, purpose, names, sizeof names / sizeof *names, out, e);
 }
 
 vs_sparse *vs_sparse_new(size_t n, size_t entries, const char *purpose, vs_error *e) {

@@ -111,12 +111,11 @@ static void font_let_go(vs_store *s, void *kept) {
 }
 
 static font_shelf *font_shelf_of(vs_store *s, vs_error *e) {
-  static const char *const files[] = { "libfreetype.so.6", "libfreetype.6.dylib", NULL };
-  static const vs_dynamic_library library = { files, "libfreetype6", "make-text" };
   void **kept = vs_store_kept(s, font_let_go);
   if (*kept) return *kept;
   font_shelf made = { .store = s };
-  if (!vs_dynamic_load(&library, dynamic_names, sizeof dynamic_names / sizeof *dynamic_names, &made.call, e))
+  if (!vs_dynamic_load(VS_LIBRARY_FREETYPE, "make-text", dynamic_names, sizeof dynamic_names / sizeof *dynamic_names,
+                       &made.call, e))
     return NULL;
   font_shelf *shelf = vs_store_realloc(s, NULL, 0, sizeof *shelf);
   bool ok = shelf != NULL;
