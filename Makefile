@@ -349,11 +349,15 @@ dist: ## make a release, build/visualscheme-VERSION.tar.gz, which builds without
 	BUILD=$(BUILD) sh scripts/install.sh build
 	sh scripts/dist.sh $(BUILD) $(VERSION)
 
+deb: dist ## make packages of Debian from the release, below build/deb
+	BUILD=$(BUILD) sh scripts/install.sh build deb
+	sh scripts/deb.sh $(BUILD) $(VERSION)
+
 clean: ## remove what was built
 	rm -rf build
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^help:.*## / { first = sprintf("make %-9s %s\n", $$1, $$2) } /^[a-z]+:.*## / && !/^help:/ { rest = rest sprintf("make %-9s %s\n", $$1, $$2) } END { printf "%s%s", first, rest }' Makefile
 
-.PHONY: all objects demo test check fresh units tools tests tested quick asan ubsan tsan static sanitized fuzz fuzzers coverage stress layers bless bench manual gallery install uninstall dist clean help
+.PHONY: all objects demo test check fresh units tools tests tested quick asan ubsan tsan static sanitized fuzz fuzzers coverage stress layers bless bench manual gallery install uninstall dist deb clean help
 -include $(OBJECTS:.o=.d) $(BUILD)/obj/scripts/stage0.d $(UNIT_BIN:=.d)
