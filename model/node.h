@@ -151,9 +151,10 @@ struct vs_node {
                     * copies of each other */
   uint64_t hash;   /* hash of the node's kind, payload and children */
   vs_store *store;
-  const vs_ref children[]; /* references to the child_count children; after them in memory comes the node's payload (the
-                            * struct of its fields) */
+  _Alignas(8) const vs_ref children[]; /* references to the children, child_count of them; the node's payload follows in
+                                        * memory */
 };
+_Static_assert(sizeof(vs_node) % 8 == 0 && sizeof(vs_ref) % 8 == 0, "a payload begins at a multiple of 8 bytes");
 /* Returns the payload of n, a struct vs_<kind> with its fields. */
 static inline const void *vs_node_data(const vs_node *n) { return n->children + n->child_count; }
 #define VS_ENDLESS_MESSAGE "the object is endless: intersect it with something finite, or subtract it from that"

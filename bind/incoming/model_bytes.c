@@ -67,7 +67,7 @@ VS_DYNAMIC_FUNCTIONS(ZIP_FUNCTIONS);
 /* Appends a part of the package to *out. Sets *found to whether it has the part, in any case of its letters. */
 static bool unpack(vs_scheme *vm, const dynamic_functions *z, zip_t *zip, const char *part, bool *found, bool *whole,
                    vs_text *out) {
-  static const size_t most = (size_t)1 << 32; /* bytes; a small package can unpack to any size */
+  static const uint64_t most = UINT64_C(1) << 32; /* bytes; a small package can unpack to any size */
   char piece[16384];
   zip_int64_t at = z->locate(zip, part, ZIP_FL_NOCASE), count = 0;
   zip_file_t *file = at >= 0 ? z->file(zip, (zip_uint64_t)at, 0) : NULL;

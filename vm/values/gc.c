@@ -62,7 +62,7 @@ struct vs_gc_chunk {
   uint32_t count, leaving;            /* count: number of the chunk's blocks; leaving: whether the chunk is about to be
                                        * freed */
 };
-struct vs_gc_large { struct vs_gc_large *next; size_t bytes; };
+struct vs_gc_large { _Alignas(8) struct vs_gc_large *next; size_t bytes; };
 
 struct free_cell { vs_object h; struct free_cell *next; };
 struct mark_entry { vs_object *o; size_t next; };

@@ -93,7 +93,7 @@ enum {
 };
 
 typedef struct vs_object {
-  uint8_t type;     /* the type, VS_T_... */
+  _Alignas(8) uint8_t type; /* the type, VS_T_... */
   uint8_t gc;       /* flags of the collector (gc.c) */
   uint16_t flags;   /* flags VS_F_..., some of which are specific to a type */
   uint32_t words;   /* size of the object with its header, in words of 8 bytes */
