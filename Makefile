@@ -9,9 +9,10 @@ PREFIX   ?= /usr/local
 LIB      ?= lib
 STRIP    ?= strip
 OPT      ?= -O2 -g
+PIC      ?= -fPIC
 VERSION   = $(shell sed -n 's/^.define VS_VERSION "\(.*\)"/\1/p' visualscheme.h)
 WARN      = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror=incompatible-pointer-types -Werror=int-conversion -Werror=implicit-function-declaration
-CFLAGS   += -std=c11 -D_POSIX_C_SOURCE=200809L $(OPT) $(WARN) -ffp-contract=off -fvisibility=hidden -fno-math-errno -fPIC -I. $(EXTRA)
+CFLAGS   += -std=c11 -D_POSIX_C_SOURCE=200809L $(OPT) $(WARN) -ffp-contract=off -fvisibility=hidden -fno-math-errno $(PIC) -I. $(EXTRA)
 
 # Where linker and loader know it, the tables' pointers stand in the program as a bitmap: a start reads 2 KB for them and not 290.
 PACKED    = -Wl,-z,pack-relative-relocs,--fatal-warnings
@@ -81,24 +82,17 @@ $(BUILD)/live.css: backends/page/live/live.css backends/page/viewer.css
 	@mkdir -p $(@D)
 	@{ cat backends/page/viewer.css; sed '/^@import/d' backends/page/live/live.css; } > $@
 
-assets    = for f in $(1); do n=vs_asset_$$(basename $$f | tr .- __); \
-  printf '.section vs_files,"a"\n.globl %s\n.hidden %s\n%s:\n' $$n $$n $$n; \
-  [ ! -f $$f ] || echo ".incbin \"$$f\""; \
-  printf '.globl %s_end\n.hidden %s_end\n%s_end:\n.byte 0\n' $$n $$n $$n; \
-  done > $@ && echo '.section .note.GNU-stack,"",@progbits' >> $@
+# An assembler file with the bytes of files: of each its name, then the file.
+EMBED     = sh scripts/embed.sh $(if $(findstring emcc,$(CC)),wasm,elf)
+named     = $(foreach f,$(1),vs_asset_$(subst -,_,$(subst .,_,$(notdir $(f)))) $(f))
 
-$(BUILD)/assets.s: $(ASSETS) Makefile
-	@$(call assets,$(ASSETS))
+$(BUILD)/assets.s: $(ASSETS) scripts/embed.sh
+	@$(EMBED) 1 $(call named,$(ASSETS)) > $@
 
-$(BUILD)/live_assets.s: $(LIVE_ASSETS) Makefile
-	@$(call assets,$(LIVE_ASSETS))
+$(BUILD)/live_assets.s: $(LIVE_ASSETS) scripts/embed.sh
+	@$(EMBED) 1 $(call named,$(LIVE_ASSETS)) > $@
 
 $(BUILD)/live_assets.o: $(BUILD)/live_assets.s
-	$(call say,as    $<)
-	$(Q)$(CC) -c $< -o $@
-
-$(BUILD)/obj/assets.o: $(BUILD)/assets.s
-	@mkdir -p $(@D)
 	$(call say,as    $<)
 	$(Q)$(CC) -c $< -o $@
 
@@ -110,12 +104,17 @@ $(BUILD)/stage0: $(STAGE0)
 	$(call say,link  $@)
 	$(Q)$(CC) $(CFLAGS) -o $@ $(STAGE0) $(LDFLAGS) $(LDLIBS)
 
-$(BUILD)/library.img: $(BUILD)/stage0 $(LIBRARY)
+# What runs on this machine: the program itself, or in node what emcc compiled.
+STAGE0_RUN = $(if $(findstring emcc,$(CC)),$(BUILD)/stage0.js,$(BUILD)/stage0)
+$(BUILD)/library.img: $(STAGE0_RUN) $(LIBRARY)
 	$(call say,image $@)
-	$(Q)$(BUILD)/stage0 $@ $(LIBRARY)
+	$(Q)$(if $(findstring emcc,$(CC)),node )$(STAGE0_RUN) $@ $(LIBRARY)
 
 $(BUILD)/library_image.c: $(BUILD)/library.img
-	@printf '#include "vm/machine/image.h"\n__asm__(".section vs_files,\\"a\\"\\n.balign 4096\\nvs_library_words:\\n.incbin \\"$<\\"\\n.previous");\nextern const uint64_t vs_library_words[] __attribute__((visibility("hidden")));\nextern const vs_image vs_library_image;\nconst vs_image vs_library_image = { vs_library_words, %d };\n' $$(($$(wc -c < $<) / 8)) > $@
+	@printf '#include "vm/machine/image.h"\nextern const uint64_t vs_library_words[] __attribute__((visibility("hidden")));\nextern const vs_image vs_library_image;\nconst vs_image vs_library_image = { vs_library_words, %d };\n' $$(($$(wc -c < $<) / 8)) > $@
+
+$(BUILD)/library_words.s: $(BUILD)/library.img scripts/embed.sh
+	@$(EMBED) 4096 vs_library_words $< > $@
 
 $(BUILD)/obj/library_image.o: $(BUILD)/library_image.c
 	@mkdir -p $(@D)
@@ -127,17 +126,28 @@ SHIPPED   = $(sort $(filter-out library/srfi.scm,$(wildcard library/*.s[lc]* lib
 
 $(BUILD)/shipped.c: $(SHIPPED) Makefile
 	@mkdir -p $(@D)
-	@i=0; { echo '#include "vm/front/source.h"'; for f in $(SHIPPED); do i=$$((i + 1)); \
-	  printf '__asm__(".section vs_files,\\"a\\"\\nvs_shipped_%d: .incbin \\"%s\\"\\nvs_shipped_%d_end: .byte 0\\n.previous");\nextern const char vs_shipped_%d[] __attribute__((visibility("hidden"))), vs_shipped_%d_end[] __attribute__((visibility("hidden")));\n' $$i $$f $$i $$i $$i; done; \
+	@{ echo '#include "vm/front/source.h"'; i=0; for f in $(SHIPPED); do i=$$((i + 1)); \
+	  echo "extern const char vs_shipped_$$i[] __attribute__((visibility(\"hidden\"))), vs_shipped_$${i}_end[] __attribute__((visibility(\"hidden\")));"; done; \
 	  echo 'extern const vs_shipped vs_shipped_library[];'; echo 'const vs_shipped vs_shipped_library[] = {'; i=0; \
 	  for f in $(SHIPPED); do i=$$((i + 1)); printf '  { "%s", vs_shipped_%d, vs_shipped_%d_end },\n' $${f#library/} $$i $$i; done; echo '  { 0 }'; echo '};'; } > $@
+
+$(BUILD)/shipped_texts.s: $(SHIPPED) Makefile scripts/embed.sh
+	@mkdir -p $(@D)
+	@i=0; $(EMBED) 1 $$(for f in $(SHIPPED); do i=$$((i + 1)); echo vs_shipped_$$i $$f; done) > $@
 
 $(BUILD)/obj/shipped.o: $(BUILD)/shipped.c
 	@mkdir -p $(@D)
 	$(call say,cc    $<)
 	$(Q)$(CC) $(CFLAGS) -c $< -o $@
 
-$(BUILD)/libvisualscheme.a: $(LIB_OBJ) $(BUILD)/obj/library_image.o $(BUILD)/obj/shipped.o
+$(BUILD)/obj/library_words.o $(BUILD)/obj/shipped_texts.o $(BUILD)/obj/assets.o: $(BUILD)/obj/%.o: $(BUILD)/%.s
+	@mkdir -p $(@D)
+	$(call say,as    $<)
+	$(Q)$(CC) -c $< -o $@
+
+# The library's objects, with the files that it contains.
+WHOLE_OBJ = $(LIB_OBJ) $(addprefix $(BUILD)/obj/,library_image.o library_words.o shipped.o shipped_texts.o)
+$(BUILD)/libvisualscheme.a: $(WHOLE_OBJ)
 	@mkdir -p $(@D); rm -f $@
 	$(call say,ar    $@)
 	$(Q)ar rcs $@ $^
@@ -147,9 +157,9 @@ $(BUILD)/visualscheme.map: visualscheme.h
 	@mkdir -p $(@D)
 	@{ echo 'VISUALSCHEME_0 { global:'; sed -n 's/^VS_API .*[ *]\(vs_[a-z_]*\)(.*/\1;/p' $<; echo 'local: *; };'; } > $@
 
-$(BUILD)/libvisualscheme.so: $(LIB_OBJ) $(BUILD)/obj/library_image.o $(BUILD)/obj/shipped.o $(BUILD)/visualscheme.map
+$(BUILD)/libvisualscheme.so: $(WHOLE_OBJ) $(BUILD)/visualscheme.map
 	$(call say,link  $@)
-	$(Q)$(CC) $(CFLAGS) -shared -Wl,-soname,libvisualscheme.so.0 -Wl,--version-script=$(BUILD)/visualscheme.map -Wl,--no-undefined -o $@ $(LIB_OBJ) $(BUILD)/obj/library_image.o $(BUILD)/obj/shipped.o $(LDFLAGS) $(LDLIBS)
+	$(Q)$(CC) $(CFLAGS) -shared -Wl,-soname,libvisualscheme.so.0 -Wl,--version-script=$(BUILD)/visualscheme.map -Wl,--no-undefined -o $@ $(WHOLE_OBJ) $(LDFLAGS) $(LDLIBS)
 
 # The manual's pages as one text, for `vs help`: a line of byte 1 and the path before each.
 MANUAL    = $(wildcard manual/*.md manual/language/*.md manual/primitives/*.md manual/rules/*.md)
@@ -163,9 +173,9 @@ $(BUILD)/licenses.txt: LICENSE NOTICE
 	@mkdir -p $(@D)
 	@{ cat LICENSE; echo; cat NOTICE; } > $@
 
-$(BUILD)/obj/%_text.o: $(BUILD)/%.txt
+$(BUILD)/obj/%_text.o: $(BUILD)/%.txt scripts/embed.sh
 	@mkdir -p $(@D)
-	@printf '.section vs_files,"a"\n.globl vs_$*_text\nvs_$*_text:\n.incbin "$<"\n.globl vs_$*_text_end\nvs_$*_text_end:\n.byte 0\n.section .note.GNU-stack,"",@progbits\n' > $(BUILD)/$*.s
+	@$(EMBED) 1 vs_$*_text $< > $(BUILD)/$*.s
 	$(Q)$(CC) -c $(BUILD)/$*.s -o $@
 
 TEXTS     = $(BUILD)/obj/manual_text.o $(BUILD)/obj/licenses_text.o

@@ -74,7 +74,7 @@ while read -r line; do
 done < "$work/types"
 
 # ---- the Makefile: a rule for an object whose source has moved is ignored without a message ----
-made='^(assets|library_image|manual_text|licenses_text|shipped)$' # objects whose sources are made
+made='^(assets|library_image|library_words|manual_text|licenses_text|shipped|shipped_texts)$' # objects whose sources are made
 grep -oE '\$\(BUILD\)/obj/[a-z_/]+\.o' Makefile | sort -u | sed 's/^\$(BUILD)\/obj\///; s/\.o$//' | grep -vE "$made" | while read -r object; do
   [ -f "$object.c" ] || echo "Makefile: $object.o has no source $object.c"
 done >> "$work/wrong"
