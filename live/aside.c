@@ -139,11 +139,16 @@ static void aside_make(live_aside *a, live_wish *w) {
   live_wish_finish(a->publish, w, outcome, bytes);
 }
 
+bool live_aside_turn(live_aside *a, long wait_ms) {
+  live_wish *w = live_wish_take(a->publish, &a->publish->asides, wait_ms);
+  if (w != NULL) aside_make(a, w);
+  return w != NULL;
+}
+
 static void *aside_run(void *context) {
   live_aside *a = context;
   for (bool ended = false; !ended;) {
-    live_wish *w = live_wish_take(a->publish, &a->publish->asides, WAIT_MS);
-    if (w != NULL) aside_make(a, w);
+    live_aside_turn(a, WAIT_MS);
     pthread_mutex_lock(&a->publish->lock);
     ended = a->publish->ended;
     pthread_mutex_unlock(&a->publish->lock);

@@ -20,6 +20,9 @@ typedef struct {
 
 bool live_aside_open(live_aside *a);  /* Starts the thread; the members options and publish must be set. If there is no
                                        * thread, prints a message on standard error and returns false. */
+/* Makes the output of the next request, which arrives within wait_ms milliseconds. Returns false if there is none. The
+ * thread calls this function; without a thread the session does. */
+bool live_aside_turn(live_aside *a, long wait_ms);
 void live_aside_close(live_aside *a); /* Ends the thread. The caller must first set publish->ended. */
 
 #endif

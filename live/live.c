@@ -447,53 +447,56 @@ static void run_export(live *l, live_wish *w) {
   live_wish_finish(&l->publish, w, outcome, bytes);
 }
 
+/* Handles a request of a window. Returns true if the model must run again. *again: whether this was already so. */
+static bool run_wish(live *l, live_wish *w, bool again) {
+  if (w->kind == LIVE_SET) {
+    again |= set_parameter(l, w->name, w->value);
+    l->coarse = w->coarse;
+  } else if (w->kind == LIVE_TRY) {
+    char *text = w->value[0] != 0 ? w->value : NULL;
+    if (text != NULL) w->value = NULL;
+    live_trial_put(&l->publish, text);
+    again = true;
+  } else {
+    if (again) run_model(l);
+    again = false;
+    if (w->kind == LIVE_EXPORT) {
+      run_export(l, w); /* passes w to the thread that waits for it */
+      return false;
+    }
+    if (w->kind == LIVE_INPUT) run_input(l, w);
+    else run_prompt(l, w->value);
+  }
+  live_wish_free(w);
+  return again;
+}
+
+/* Waits for a change of a file, a request or the time of a frame, and handles it. */
+static void turn(live *l) {
+  bool again = live_files_changed(&l->files);
+  l->coarse = false;
+  if (again) {
+    work(l);
+    live_files_settle(&l->files);
+    live_trial_put(&l->publish, NULL);
+  } else {
+    rest(l);
+  }
+  const long pause = l->frames ? FRAME_MS : seen(l) ? LOOK_MS : LOOK_ALONE_MS;
+  live_wish *w = again ? NULL : live_wish_take(&l->publish, &l->publish.wishes, pause);
+  for (; w != NULL; w = live_wish_take(&l->publish, &l->publish.wishes, 0)) /* all waiting requests before a run */
+    again = run_wish(l, w, again);
+  if (again && !*l->options->ended) run_model(l);
+  if (l->frames && !*l->options->ended) {
+    work(l);
+    run_frame(l);
+  }
+}
+
 static void serve(live *l) {
   work(l);
   run_model(l);
-  while (!*l->options->ended) {
-    bool again = live_files_changed(&l->files);
-    l->coarse = false;
-    if (again) {
-      work(l);
-      live_files_settle(&l->files);
-      live_trial_put(&l->publish, NULL);
-    } else {
-      rest(l);
-    }
-    const long pause = l->frames ? FRAME_MS : seen(l) ? LOOK_MS : LOOK_ALONE_MS;
-    live_wish *w = again ? NULL : live_wish_take(&l->publish, &l->publish.wishes, pause);
-    while (w != NULL) { /* handles all waiting requests before a run */
-      if (w->kind == LIVE_SET) {
-        again |= set_parameter(l, w->name, w->value);
-        l->coarse = w->coarse;
-        live_wish_free(w);
-      } else if (w->kind == LIVE_TRY) {
-        char *text = w->value[0] != 0 ? w->value : NULL;
-        if (text != NULL) w->value = NULL;
-        live_trial_put(&l->publish, text);
-        live_wish_free(w);
-        again = true;
-      } else {
-        if (again) run_model(l);
-        again = false;
-        if (w->kind == LIVE_EXPORT) {
-          run_export(l, w);
-        } else if (w->kind == LIVE_INPUT) {
-          run_input(l, w);
-          live_wish_free(w);
-        } else {
-          run_prompt(l, w->value);
-          live_wish_free(w);
-        }
-      }
-      w = live_wish_take(&l->publish, &l->publish.wishes, 0);
-    }
-    if (again && !*l->options->ended) run_model(l);
-    if (l->frames && !*l->options->ended) {
-      work(l);
-      run_frame(l);
-    }
-  }
+  while (!*l->options->ended) turn(l);
 }
 
 /* Starts a browser by a command of $BROWSER: words, with the address in place of %s or after them. Discards its output.
@@ -574,19 +577,35 @@ static live *new_view(void) {
   return NULL;
 }
 
-vs_outcome live_view(const live_options *o) {
-  live *l = new_view();
-  if (l == NULL) return VS_OUTCOME_MACHINE;
-  vs_outcome outcome = VS_OUTCOME_MACHINE;
-  l->options = o;
+/* Sets the parameters of the options. Returns false if memory is out. */
+static bool set_given(live *l) {
+  const live_options *o = l->options;
+  for (size_t i = 0; i < o->parameter_count; i++) {
+    const char *equals = strchr(o->parameters[i], '=');
+    live_add(&l->released, "", 1);
+    char *name = equals != NULL ? strdup(o->parameters[i]) : NULL;
+    if (name == NULL) continue;
+    name[equals - o->parameters[i]] = 0;
+    vs_parameter_set(l->scheme, name, equals + 1);
+    free(name);
+  }
+  return !l->released.failed;
+}
+
+/* Opens the interpreter, the server and the side of a view. alone: live_publish.alone, or NULL. Returns
+ * VS_OUTCOME_DONE, or the outcome of live_view after a message on standard error. */
+static vs_outcome open_view(live *l, const live_options *o, void (*alone)(void *context, bool work)) {
   char *text = NULL;
   size_t length;
   const char *why;
+  l->options = o;
+  l->publish.alone = alone;
+  l->publish.alone_context = l;
   if (!live_file_read(o->model, &text, &length, &why)) {
     fprintf(stderr, "vs: %s: %s\n", o->model, why);
-    outcome = VS_OUTCOME_USAGE;
-    goto done;
+    return VS_OUTCOME_USAGE;
   }
+  free(text);
   vs_options interpreter = o->interpreter;
   interpreter.host = (vs_host){ .context = l,
                                 .output = host_output,
@@ -599,35 +618,68 @@ vs_outcome live_view(const live_options *o) {
   l->scheme = vs_new(&interpreter);
   if (l->scheme == NULL) {
     fprintf(stderr, "vs: out of memory\n");
-    goto done;
+    return VS_OUTCOME_MACHINE;
   }
   l->server = (live_server){ .publish = &l->publish, .model = o->model, .stop = stop, .stop_context = l, .options = o };
-  outcome = VS_OUTCOME_WORKER;
-  if (!live_http_load(&l->server.http)) goto done;
-  for (size_t i = 0; i < o->parameter_count; i++) {
-    const char *equals = strchr(o->parameters[i], '=');
-    live_add(&l->released, "", 1);
-    char *name = equals != NULL ? strdup(o->parameters[i]) : NULL;
-    if (name == NULL) continue;
-    name[equals - o->parameters[i]] = 0;
-    vs_parameter_set(l->scheme, name, equals + 1);
-    free(name);
-  }
-  outcome = VS_OUTCOME_MACHINE;
-  if (l->released.failed) goto done;
+  if (!live_http_load(&l->server.http)) return VS_OUTCOME_WORKER;
+  if (!set_given(l)) return VS_OUTCOME_MACHINE;
   l->aside = (live_aside){ .options = o, .publish = &l->publish };
-  if (!live_aside_open(&l->aside)) goto done;
-  if (!live_server_open(&l->server)) goto done;
-  tell_address(l);
-  if (o->running != NULL) o->running(l->scheme);
-  serve(l);
-  if (o->running != NULL) o->running(NULL);
-  outcome = VS_OUTCOME_DONE;
-done:
-  close_view(l);
-  free(text);
+  if (alone == NULL && !live_aside_open(&l->aside)) return VS_OUTCOME_MACHINE;
+  return live_server_open(&l->server) ? VS_OUTCOME_DONE : VS_OUTCOME_MACHINE;
+}
+
+vs_outcome live_view(const live_options *o) {
+  live *l = new_view();
+  vs_outcome outcome = l != NULL ? open_view(l, o, NULL) : VS_OUTCOME_MACHINE;
+  if (outcome == VS_OUTCOME_DONE) {
+    tell_address(l);
+    if (o->running != NULL) o->running(l->scheme);
+    serve(l);
+    if (o->running != NULL) o->running(NULL);
+  }
+  if (l != NULL) close_view(l);
   free(l);
   return outcome;
+}
+
+/* ---- views without threads ---- */
+
+/* Called by the view's own thread while it works (work is false) or while a request waits for its result. */
+static void alone(void *context, bool work) {
+  live *l = context;
+  if (work) {
+    live_wish *w;
+    bool again = false;
+    while ((w = live_wish_take(&l->publish, &l->publish.wishes, 0)) != NULL) again = run_wish(l, w, again);
+    if (again) run_model(l);
+    while (live_aside_turn(&l->aside, 0)) {}
+  }
+  if (l->options->send != NULL) l->options->send();
+}
+
+live *live_alone_open(const live_options *o) {
+  live *l = new_view();
+  if (l != NULL && open_view(l, o, alone) == VS_OUTCOME_DONE) return l;
+  live_alone_close(l);
+  return NULL;
+}
+
+void live_alone_run(live *l) {
+  work(l);
+  run_model(l);
+}
+
+bool live_alone_turn(live *l) {
+  turn(l);
+  return l->frames;
+}
+
+const struct live_server *live_alone_server(const live *l) { return &l->server; }
+
+void live_alone_close(live *l) {
+  if (l == NULL) return;
+  close_view(l);
+  free(l);
 }
 
 /* ---- views that follow a prompt ---- */

@@ -41,6 +41,17 @@ void live_follow_show(live_follower *f);
 live_asked live_follow_asked(live_follower *f);
 void live_asked_free(live_asked *a);
 
+/* A view without threads, for a host that is the server's only client (playground/): its server starts no thread, and
+ * the host calls the following functions, none of which waits. Returns NULL on failure, after a message on standard
+ * error. o must exist until the view is closed. */
+live_follower *live_alone_open(const live_options *o);
+void live_alone_run(live_follower *l);  /* Runs the model for the first time. */
+bool live_alone_turn(live_follower *l); /* Handles all requests that wait. Returns true if the scene has frames, so that
+                                         * the host must call it again soon. */
+/* Returns the view's server, to which the host passes the window's requests. */
+const struct live_server *live_alone_server(const live_follower *l);
+void live_alone_close(live_follower *l);
+
 /* Shows the model until *ended is set, and then returns VS_OUTCOME_DONE. On failure, after a message on standard error,
  * returns VS_OUTCOME_USAGE if the model cannot be read, VS_OUTCOME_WORKER if libmicrohttpd is missing,
  * VS_OUTCOME_MACHINE if there is no memory or no port. */

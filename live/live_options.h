@@ -20,6 +20,9 @@ typedef struct live_options {
   bool open_browser;
   FILE *told;                           /* stream that receives a line with the view's address */
   const volatile sig_atomic_t *ended;   /* a value other than 0 ends the view */
+  /* For a view without threads: sends the events to the window. The view calls this function during a run, too. May be
+   * NULL. */
+  void (*send)(void);
   /* Receives the interpreter when it is made, so that a signal can interrupt it, and NULL at the end. May be NULL. */
   void (*running)(vs_scheme *scheme);
 } live_options;

@@ -50,10 +50,16 @@ static void publish_event(live_publish *p, const char *kind, const char *json) {
   pthread_cond_broadcast(&p->changed);
 }
 
+/* Sends the events at once where no other thread does. The caller must not hold the lock. */
+static void publish_alone(live_publish *p) {
+  if (p->alone != NULL) p->alone(p->alone_context, false);
+}
+
 void live_tell(live_publish *p, const char *kind, const char *json) {
   pthread_mutex_lock(&p->lock);
   publish_event(p, kind, json);
   pthread_mutex_unlock(&p->lock);
+  publish_alone(p);
 }
 
 void live_publish_state(live_publish *p, char *json) {
@@ -62,6 +68,7 @@ void live_publish_state(live_publish *p, char *json) {
   p->state = json;
   publish_event(p, "state", json);
   pthread_mutex_unlock(&p->lock);
+  publish_alone(p);
 }
 
 static void scene_drop(live_scene *s) { /* Releases a reference to the scene. The caller must hold the lock. */
@@ -154,7 +161,7 @@ bool live_wish_renews(live_publish *p) {
 
 live_wish *live_wish_take(live_publish *p, live_queue *q, long wait_ms) {
   pthread_mutex_lock(&p->lock);
-  if (q->first == NULL && wait_ms > 0 && !p->ended) {
+  if (q->first == NULL && wait_ms > 0 && !p->ended && p->alone == NULL) {
     struct timespec until;
     clock_gettime(CLOCK_MONOTONIC, &until);
     until.tv_sec += wait_ms / 1000;

@@ -64,6 +64,10 @@ typedef struct {
   live_queue asides;              /* requests that wait for the side (aside.h) */
   live_wish *aside_now;           /* request that the side (aside.h) is handling, or NULL */
   unsigned windows;
+  /* Where a single thread is session, server and window, nobody may wait for another. `alone` then does the others'
+   * work: it sends the events, and handles the waiting requests if `work` is true. NULL: threads wait. */
+  void (*alone)(void *context, bool work);
+  void *alone_context;
 } live_publish;
 
 bool live_publish_open(live_publish *p);

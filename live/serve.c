@@ -153,6 +153,9 @@ static ssize_t listener_read(void *context, uint64_t position, char *buffer, siz
         live_puts(&l->text, "\n\n");
       }
       l->first = false;
+    } else if (l->next == p->event_count && !p->ended && p->alone != NULL) {
+      pthread_mutex_unlock(&p->lock);
+      return 0; /* the window asks again when there is an event */
     } else if (l->next == p->event_count && !p->ended) {
       struct timespec until = in_seconds(5);
       /* writes a line without data, because a failed write shows that the window is gone */
@@ -205,8 +208,8 @@ static enum MHD_Result serve_events(live_server *s, struct MHD_Connection *c) {
   /* A page that is reloaded repeatedly leaves connections of closed windows behind. If there are too many windows,
    * wakes their threads, which write and thereby find out whether their window is gone, and waits until one ends. */
   struct timespec until = in_seconds(1);
-  if (s->publish->windows >= WINDOWS) pthread_cond_broadcast(&s->publish->changed);
-  while (s->publish->windows >= WINDOWS && !s->publish->ended)
+  if (s->publish->windows >= WINDOWS && s->publish->alone == NULL) pthread_cond_broadcast(&s->publish->changed);
+  while (s->publish->windows >= WINDOWS && !s->publish->ended && s->publish->alone == NULL)
     if (pthread_cond_timedwait(&s->publish->changed, &s->publish->lock, &until) == ETIMEDOUT) break;
   bool room = s->publish->windows < WINDOWS;
   if (room) s->publish->windows++;
@@ -387,8 +390,10 @@ static enum MHD_Result export(live_server *s, struct MHD_Connection *c, const li
   struct timespec until;
   clock_gettime(CLOCK_MONOTONIC, &until);
   until.tv_sec += EXPORT_SECONDS;
+  if (p->alone != NULL) p->alone(p->alone_context, true);
   pthread_mutex_lock(&p->lock);
-  while (!w->done && !p->ended && pthread_cond_timedwait(&p->changed, &p->lock, &until) != ETIMEDOUT) {}
+  while (!w->done && !p->ended && p->alone == NULL)
+    if (pthread_cond_timedwait(&p->changed, &p->lock, &until) == ETIMEDOUT) break;
   bool done = w->done;
   if (!done) w->abandoned = w->cancelled = true;
   pthread_mutex_unlock(&p->lock);
