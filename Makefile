@@ -74,7 +74,7 @@ $(BUILD)/viewer.js: backends/page/page.js $(wildcard backends/page/*.js) package
 	@if [ -n "$(ESBUILD)" ]; then $(BUNDLE) $< --outfile=$@; else $(UNBUNDLED); fi
 
 # three.js and fflate name themselves in comments that esbuild keeps; what else is bundled stands in NOTICE.
-$(BUILD)/live.js: backends/page/live/live.js $(wildcard backends/page/*.js backends/page/live/*.js) package.json NOTICE $(wildcard node_modules/.package-lock.json)
+$(BUILD)/live.js: backends/page/live/served.js $(wildcard backends/page/*.js backends/page/live/*.js) package.json NOTICE $(wildcard node_modules/.package-lock.json)
 	@mkdir -p $(@D)
 	@if [ -n "$(ESBUILD)" ]; then $(BUNDLE) --footer:js="/*! $$(awk '/^[^ ]/ { on = /^Embedded/ } on' NOTICE) */" $< --outfile=$@; else $(UNBUNDLED); fi
 

@@ -1,5 +1,5 @@
-// Runs the page of the live view: the viewer, the source beside it, parameters, messages, the prompt, and the
-// connection to the server.
+// Contains the page of the live view: the viewer, the source beside it, parameters, messages, the prompt, and the
+// connection to the server. served.js opens it for the server of `vs view`, the playground for the program in a worker.
 import { Viewer } from "../viewer.js";
 import { readPacked } from "../packed.js";
 import { Model, modelFromPacked } from "../model.js";
@@ -10,10 +10,7 @@ import { Construction, Timeline } from "./timeline.js";
 import { Making } from "./making.js";
 import { Compare } from "./compare.js";
 
-// The access token follows the # of the address, a part that browsers send to no server. The page sends it in a header.
-// The other words after the # are values of parameters.
-const words = location.hash.slice(1).split("&").map((word) => { try { return decodeURIComponent(word); } catch { return word; } }), token = words[0];
-const ask = (path, options = {}) => fetch(path, { ...options, headers: { "X-VS-Token": token }, referrerPolicy: "no-referrer" });
+let ask; // ask(path, options) sends a request to the server and returns a promise of a Response, as fetch does.
 
 const SLOW_SECONDS = 0.12; // If a model takes more seconds than this, it is shown coarser while a slider moves.
 const TALK_MOST = 20000; // Greatest number of characters of output that are shown.
@@ -21,8 +18,12 @@ const TALK_MOST = 20000; // Greatest number of characters of output that are sho
 const tail = (text, most) => text.length <= most ? text : text.slice(-most).replace(/^[\udc00-\udfff]/, "");
 const GHOSTS_MOST = 50000; // Greatest number of parts of a model for which cuts are searched when the cursor moves.
 
-class Live {
-  constructor() {
+export class Live {
+  // server: ask, the function above; values, the parameters set at first, as [name, value]; link(values), the address
+  // that shows this model with these values; lasting, whether it works later, too.
+  constructor(server) {
+    this.server = server;
+    ask = server.ask;
     const root = document.getElementById("live");
     this.name = el("b", {}, "…");
     this.status = el("span", { class: "status", role: "status", title: "How long the last run took" }, "connecting");
@@ -53,7 +54,7 @@ class Live {
     });
     this.compare = new Compare(this.viewer, (values) => this.scene(values));
     this.parameters = new Parameters({
-      set: (name, value, moving) => this.set(name, value, moving), write: () => this.writeParameters(), link: () => this.#link(),
+      set: (name, value, moving) => this.set(name, value, moving), write: () => this.writeParameters(), link: () => this.#link(), lasting: server.lasting,
       compare: (sets) => this.compare.open(sets, (name) => this.parameters.use(name)), place: () => this.state.model,
     });
     this.viewer.root.append(el("div", { class: "exports glass" }, this.formats, this.exportButton, this.making.button), this.note);
@@ -95,10 +96,7 @@ class Live {
   }
 
   async #start() {
-    for (const word of words.slice(1)) {
-      const at = word.indexOf("=");
-      if (at > 0) await this.set(word.slice(0, at), word.slice(at + 1));
-    }
+    for (const [name, value] of this.server.values) await this.set(name, value);
     await this.readSource();
     this.#listen();
   }
@@ -388,8 +386,7 @@ class Live {
   }
   // Returns this page's address, with the values of parameters that differ from the source.
   #link() {
-    const values = this.parameters.changed().map((p) => "&" + encodeURIComponent(p.name) + "=" + encodeURIComponent(p.value));
-    return location.origin + "/#" + token + values.join("");
+    return this.server.link(this.parameters.changed().map((p) => [p.name, p.value]));
   }
 
   // Sets a parameter. moving: true while the value is still changing; a slow model is then shown coarser.
@@ -500,5 +497,3 @@ class Live {
     this.split.addEventListener("keydown", (event) => { if (event.key === "ArrowLeft") set(now -= 2); if (event.key === "ArrowRight") set(now += 2); });
   }
 }
-
-new Live();

@@ -24,9 +24,9 @@ export const pointText = (xyz) => `(xyz ${xyz.map((x) => String(Number(x.toPreci
 
 export class Parameters {
   // set(name, value) passes on a value in the language's spelling. write() writes all changed values into the source.
-  // link() returns an address with the values. compare(sets) shows sets beside each other. place() returns the model's
+  // link() returns an address with the values, or a promise of it; lasting: whether it works after this view has ended. compare(sets) shows sets beside each other. place() returns the model's
   // path.
-  constructor({ set, write, link, compare, place }) {
+  constructor({ set, write, link, lasting, compare, place }) {
     this.set = set;
     this.compare = compare;
     this.place = place;
@@ -40,10 +40,10 @@ export class Parameters {
     this.compareButton = button("Compare", () => this.compare(this.#chosen()), { disabled: true, title: "Show the chosen sets beside each other" });
     this.said = el("p", { class: "said", role: "status" });
     const share = button("Copy link", async () => {
-      const address = link();
+      const address = await link();
       try {
         await navigator.clipboard.writeText(address);
-        this.#say("The link is copied. It works while this view runs.");
+        this.#say("The link is copied." + (lasting ? "" : " It works while this view runs."));
       } catch {
         this.#say(address);
       }
