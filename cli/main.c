@@ -28,6 +28,8 @@
 #include "cli/prompt/standard_output.h"
 #include "cli/batch/inputs_told.h"
 #include "cli/batch/render_command.h"
+#include "cli/cluster/cluster_command.h"
+#include "cli/cluster/jobs_command.h"
 #include "cli/command.h"
 #include "cli/dependencies.h"
 #include "cli/difference.h"
@@ -567,6 +569,12 @@ static int run_alone(cli_options *o) {
   return fflush(stdout) == 0 && !ferror(stdout) ? code : VS_OUTCOME_USAGE;
 }
 
+/* Runs `vs render` or `vs sweep` in this process. */
+static vs_outcome run_parts(const cli_options *o) {
+  return o->command == CLI_COMMAND_sweep ? cli_sweep_command(o, &interrupts, run_alone)
+                                         : cli_render_command(o, &interrupts);
+}
+
 static int run_words(int argc, char **argv);
 
 /* Runs the command. Returns the exit code. Sets *told if a failure of standard output was reported. */
@@ -583,15 +591,16 @@ static int run_command(int argc, char **argv, bool *told) {
     cli_options_free(&options);
     return (int)outcome;
   }
-  if (options.command == CLI_COMMAND_render) {
+  if (options.command == CLI_COMMAND_render || options.command == CLI_COMMAND_sweep) {
     hear_signals();
-    vs_outcome outcome = cli_render_command(&options, &interrupts);
+    vs_outcome outcome =
+        options.cluster.on ? cli_cluster_command(&options, &interrupts, run_parts) : run_parts(&options);
     cli_options_free(&options);
     return (int)outcome;
   }
-  if (options.command == CLI_COMMAND_sweep) {
+  if (options.command == CLI_COMMAND_jobs) {
     hear_signals();
-    vs_outcome outcome = cli_sweep_command(&options, &interrupts, run_alone);
+    vs_outcome outcome = cli_jobs_command(&options, &interrupts);
     cli_options_free(&options);
     return (int)outcome;
   }

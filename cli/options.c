@@ -416,6 +416,18 @@ static bool take_held(cli_options *o, const option_row *row, const char *v) {
   return *v || bad(row, "''");
 }
 
+static bool take_on(cli_options *o, const option_row *row, const char *v) {
+  o->cluster.on = v;
+  return !strcmp(v, "local") || !strcmp(v, "parallel") || !strcmp(v, "slurm") || (!strncmp(v, "slurm:", 6) && v[6]) ||
+         bad(row, v);
+}
+
+static bool take_memory(cli_options *o, const option_row *row, const char *v) {
+  size_t digits = strspn(v, "0123456789");
+  o->cluster.memory = v;
+  return (digits > 0 && (!v[digits] || (strchr("KMGT", v[digits]) && !v[digits + 1]))) || bad(row, v);
+}
+
 static bool only_json(const option_row *row, const char *v) {
   return !v || strcmp(v, "json") == 0 || bad(row, v);
 }
@@ -727,16 +739,42 @@ static bool is_command(const char *word, const char *name) {
   return !*name;
 }
 
+/* Returns true if the word is one of these options, with or without a value. */
+static bool is_one_of(const char *word, const char *const *options, size_t count) {
+  for (size_t i = 0; i < count; i++)
+    if (strlen(options[i]) == strcspn(word + 2, "=") && !strncmp(word + 2, options[i], strlen(options[i]))) return true;
+  return false;
+}
+
+/* Returns true for options that say where parts run. */
+static bool is_of_cluster(const char *word) {
+  static const char *const own[] = {"on", "time", "memory", "cpus", "bundle"};
+  return word[1] == '-' && is_one_of(word, own, sizeof own / sizeof *own);
+}
+
 /* Returns true for options that `vs render` and `vs sweep` process themselves. All other options apply to the run of
  * each picture or set. */
 static bool is_of_batch(const char *word) {
   static const char *const own[] = {"output", "view", "all-views", "set", "jobs", "manifest", "sheet", "frames",
                                     "resume", "film", "quiet", "threads", "sample", "seed", "where", "sort", "only",
-                                    "tiles"};
+                                    "tiles", "retries", "join", "keep-going", "keep-failed"};
   if (word[1] != '-') return strchr("oqj", word[1]) != NULL;
-  for (size_t i = 0; i < sizeof own / sizeof *own; i++)
-    if (strlen(own[i]) == strcspn(word + 2, "=") && !strncmp(word + 2, own[i], strlen(own[i]))) return true;
-  return false;
+  return is_one_of(word, own, sizeof own / sizeof *own) || is_of_cluster(word);
+}
+
+/* Keeps the words from `from` to `to` for runs elsewhere: an option that concerns processes for none, one that needs
+ * all parts for the run of all, and others for both. */
+static void keep_words(cli_options *o, char **argv, int from, int to) {
+  static const char *const here[] = {"jobs", "threads", "quiet"}, *const all[] = {"film", "sheet", "where", "sort"};
+  const char *word = argv[from];
+  bool option = word[0] == '-' && word[1] && strcmp(word, "--") != 0, named = option && word[1] == '-';
+  if (option && !named && strchr("qj", word[1])) return;
+  if (named && (is_of_cluster(word) || is_one_of(word, here, sizeof here / sizeof *here))) return;
+  bool whole_only = named && is_one_of(word, all, sizeof all / sizeof *all);
+  for (; from <= to; from++) {
+    o->whole[o->whole_count++] = argv[from];
+    if (!whole_only) o->part[o->part_count++] = argv[from];
+  }
 }
 
 /* Returns true if the path ends in .png or has no suffix. A path without suffix is a folder for .png pictures. */
@@ -761,19 +799,41 @@ static bool tiles_fit(cli_options *o) {
   return fprintf(stderr, "vs: --only %s: expected numbers of tiles, at most 1..%ld\n", o->only, all), false;
 }
 
+/* Returns true if the options about bundles and joining are given to a command that has them. Otherwise prints a
+ * message. */
+static bool cluster_fits(const cli_options *o) {
+  const cli_cluster *c = &o->cluster;
+  bool batch = o->command == CLI_COMMAND_render || o->command == CLI_COMMAND_sweep;
+  const char *path = o->target_count ? o->targets[0].path : "";
+  const char *wrong = NULL;
+  if (!batch && (c->on || o->join || o->keep_going || o->keep_failed || o->retries != 2))
+    wrong = "--on, --join, --retries, --keep-going and --keep-failed are for vs render and vs sweep";
+  else if (!c->on && (c->time || c->memory || c->cpus || c->bundle))
+    wrong = "--time, --memory, --cpus and --bundle need --on slurm";
+  else if (c->on && (o->only || o->join || o->manifest)) wrong = "give --on without --only, --join and --manifest";
+  else if (c->on && o->command == CLI_COMMAND_render && (!*path || path[strlen(path) - 1] != '/'))
+    wrong = "--on needs a folder for the pictures that ends in a slash, as in -o film/";
+  else if (c->on && o->command == CLI_COMMAND_render && !o->frames.count && !o->tiles.columns)
+    wrong = "--on needs parts: --frames of a film, or --tiles of a picture";
+  if (!wrong) return true;
+  fprintf(stderr, "vs%s%s: %s\n", batch ? " " : "", batch ? commands[o->command - 1].name : "", wrong);
+  return false;
+}
+
 cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
   size_t room = (size_t)argc + 1;
   cli_verdict verdict = CLI_GO;
-  *o = (cli_options){.interpreter = vs_options_default(), .output = vs_output_options_default()};
+  *o = (cli_options){.interpreter = vs_options_default(), .output = vs_output_options_default(), .retries = 2};
   o->sources = calloc(room, sizeof *o->sources);
   o->targets = calloc(room, sizeof *o->targets);
   o->defines = calloc(room, sizeof *o->defines);
-  o->words = calloc(4 * room, sizeof *o->words);
+  o->words = calloc(6 * room, sizeof *o->words);
   if (!o->sources || !o->targets || !o->defines || !o->words) {
     fputs("vs: out of memory\n", stderr);
     return CLI_BAD_USAGE;
   }
   o->held = o->words + room, o->sets = o->held + room, o->passed = o->sets + room;
+  o->whole = o->passed + room, o->part = o->whole + room;
   bool names_only = false; /* whether the word -- has occurred before any model, so that all later words are files */
   o->words[o->word_count++] = "vs";
   int first = 1;
@@ -787,14 +847,19 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     const char *word = argv[i];
     if (strcmp(word, "--") == 0 && o->source_count) { /* all words after the model and -- are arguments of the
                                                        * program */
+      keep_words(o, argv, i, argc - 1);
       while (++i < argc) o->words[o->word_count++] = argv[i];
-    } else if (names_only || word[0] != '-' || !word[1])
+    } else if (names_only || word[0] != '-' || !word[1]) {
       o->sources[o->source_count++] = (cli_source){ CLI_SOURCE_FILE, word };
-    else if (strcmp(word, "--") == 0) names_only = true;
-    else {
+      keep_words(o, argv, i, i);
+    } else if (strcmp(word, "--") == 0) {
+      names_only = true;
+      keep_words(o, argv, i, i);
+    } else {
       int from = i;
       if (!read_option(o, argc, argv, &i, &verdict)) return CLI_BAD_USAGE;
       if (verdict != CLI_GO) return verdict;
+      keep_words(o, argv, from, i);
       for (; !is_of_batch(word) && from <= i; from++) o->passed[o->passed_count++] = argv[from];
     }
   }
@@ -850,6 +915,7 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     fprintf(stderr, "vs: --only %s: expected numbers of frames, at most 1..%ld\n", o->only, o->frames.count);
     return CLI_BAD_USAGE;
   }
+  if (!cluster_fits(o)) return CLI_BAD_USAGE;
   if (o->tiles.columns && !tiles_fit(o)) return CLI_BAD_USAGE;
   if (o->film && o->only) {
     fputs("vs render: --film needs all frames: give it without --only, when all parts are done\n", stderr);

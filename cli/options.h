@@ -42,6 +42,14 @@ enum { CLI_TAKES_JSON = 1, CLI_TAKES_XML = 2, CLI_TAKES_TWO = 4 /* the command r
        CLI_TAKES_SWEEP = 32768 /* the command accepts one file, --set, and -o with folders, patterns and a table */,
        CLI_TAKES_WORDS = 65536 /* the words of the command are no programs, and it accepts no -o */ };
 
+/* The place where the parts of a batch run, and the limits of a bundle of them. Texts are NULL, and numbers 0, if not
+ * given. */
+typedef struct {
+  const char *on;               /* "local", "parallel", "slurm" or "slurm:PARTITION"; NULL: here, without --on */
+  const char *time, *memory;    /* a bundle's limits, as Slurm reads them */
+  size_t cpus, bundle;          /* cpus: processors of a bundle; bundle: number of parts in it */
+} cli_cluster;
+
 typedef struct {
   cli_command command;
   /* The sources and outputs of the command line. The texts are words of argv. The arrays have room for argc entries and
@@ -69,6 +77,12 @@ typedef struct {
    * `held`. */
   const char **sets, **passed; size_t set_count, passed_count; /* passed: options that are passed on to the run of each
                                                                 * picture */
+  /* vs render, vs sweep: the words of the command after its name, for a run of all parts elsewhere, and for a run of
+   * some parts. Neither has options about processes. */
+  const char **whole, **part; size_t whole_count, part_count;
+  cli_cluster cluster;                 /* the options about clusters */
+  size_t retries;                      /* number of further runs of a part that was killed, or whose worker failed */
+  bool join, keep_going, keep_failed;  /* vs render, vs sweep: whether these options are given */
   size_t jobs;                         /* vs render: number of processes by --jobs; 0 if not given */
   int results;                         /* vs test, vs sweep: in the process of a run, the pipe for its results */
   const char *dependencies;            /* the file of -d, or NULL */

@@ -24,6 +24,7 @@
 #include "cli/batch/film.h"
 #include "cli/batch/inputs_told.h"
 #include "cli/batch/part_files.h"
+#include "cli/batch/part_states.h"
 #include "cli/batch/ranges.h"
 #include "cli/json.h"
 
@@ -55,6 +56,7 @@ typedef struct {
   int told;                /* descriptor from which the picture's process is read: the reading end of a pipe */
   bool known, failed;      /* known: the model has run, and result.model is set; failed: its run has failed, and no
                             * message was printed yet */
+  const char *kept; size_t kept_length; /* line of an earlier manifest with the result, or NULL; in batch.manifest */
   result result;
 } picture;
 typedef struct {
@@ -267,6 +269,29 @@ static const char *line_of(const batch *b, const picture *p, size_t *length) {
   return next_line_of(b, p, NULL, length);
 }
 
+/* Gives the picture the result of an earlier run that a manifest lists: made, if the file has not changed since, or
+ * failed. Returns false if there is none. */
+static bool recall_result(const batch *b, picture *p) {
+  static const char failed[] = "\"outcome\": \"failed\"", code[] = "\"code\": ";
+  char wanted[40];
+  uint64_t bytes;
+  size_t length;
+  const char *of_failed = NULL;
+  bool there = cli_part_hash_file(p->file, &bytes);
+  snprintf(wanted, sizeof wanted, "\"hash\": \"%016" PRIx64 "\"", bytes);
+  for (const char *line = line_of(b, p, &length); line; line = next_line_of(b, p, line, &length)) {
+    const char *hash = there ? memmem(line, length, wanted, strlen(wanted)) : NULL;
+    bool fails = memmem(line, length, failed, strlen(failed)) != NULL;
+    if (hash && !fails) return p->kept = line, p->kept_length = length, p->result.fate = STANDS, true;
+    if (fails) of_failed = line, p->kept_length = length;
+  }
+  if (!of_failed) return false;
+  const char *at = memmem(of_failed, p->kept_length, code, strlen(code));
+  p->kept = of_failed, p->result.fate = FAILED;
+  p->result.code = at ? atoi(at + strlen(code)) : VS_OUTCOME_MODEL;
+  return true;
+}
+
 /* Returns true if a manifest lists the picture with this scene, and its file still has the listed hash. */
 static bool is_up_to_date(const batch *b, const picture *p, uint64_t scene) {
   char wanted[80];
@@ -291,6 +316,7 @@ static void manifest_picture(FILE *to, const picture *p) {
   fputs(", \"view\": ", to);
   if (p->view) cli_json_text(to, p->view);
   else fputs("null", to);
+  if (p->frame || p->tile) fprintf(to, ", \"part\": %ld", p->frame ? p->frame : (long)p->tile);
   if (p->tile) fprintf(to, ", \"crop\": \"%s\"", p->crop);
   fputs(", \"parameters\": ", to);
   if (p->set) cli_json_text(to, p->set);
@@ -300,6 +326,7 @@ static void manifest_picture(FILE *to, const picture *p) {
   fprintf(to, ", \"scene\": \"%016" PRIx64 "\", \"hash\": \"%016" PRIx64 "\", \"seconds\": ", p->result.scene,
           p->result.bytes);
   cli_json_number(to, p->result.seconds);
+  if (p->result.fate == FAILED) fprintf(to, ", \"code\": %d", p->result.code);
   fprintf(to, ", \"outcome\": \"%s\"}", fates[p->result.fate]);
 }
 
@@ -346,9 +373,11 @@ static void fill_manifest(const batch *b, FILE *to) {
   for (size_t i = 0; i < b->count; i++) {
     /* For a picture that this run has not tried, copies the line of the old manifest. */
     size_t length = 0;
-    const char *line = b->at[i].result.fate == NOT_TRIED ? line_of(b, &b->at[i], &length) : NULL;
+    const picture *p = &b->at[i];
+    const char *line = p->kept ? p->kept : p->result.fate == NOT_TRIED ? line_of(b, p, &length) : NULL;
+    if (p->kept) length = p->kept_length;
     if (line) fwrite(line, 1, length, to);
-    else manifest_picture(to, &b->at[i]);
+    else manifest_picture(to, p);
     fputs(i + 1 < b->count ? ",\n" : "\n", to);
   }
   fputs("]}\n", to);
@@ -472,7 +501,8 @@ static result try_model(const batch *b, const picture *p) {
   return r;
 }
 
-static result make(const batch *b, const picture *p) {
+/* Makes the picture, unless it is up to date. */
+static result make_once(const batch *b, const picture *p) {
   struct timespec from, to;
   result r = {.scene = CLI_HASH_BEGIN, .model = p->result.model, .fate = FAILED};
   clock_gettime(CLOCK_MONOTONIC, &from);
@@ -484,6 +514,17 @@ static result make(const batch *b, const picture *p) {
   if (r.code == VS_OUTCOME_DONE) cli_part_hash_file(p->file, &r.bytes);
   clock_gettime(CLOCK_MONOTONIC, &to);
   r.seconds = (double)(to.tv_sec - from.tv_sec) + 1e-9 * (double)(to.tv_nsec - from.tv_nsec);
+  return r;
+}
+
+/* Makes the picture. With --keep-going, repeats a run that was killed, or whose worker failed. */
+static result make(const batch *b, const picture *p) {
+  result r = make_once(b, p);
+  bool chance = r.fate == FAILED && (r.code == VS_OUTCOME_INTERRUPTED || r.code == VS_OUTCOME_WORKER);
+  for (size_t i = 0; chance && b->options->keep_going && i < b->options->retries && !*b->ended; i++) {
+    r = make_once(b, p);
+    chance = r.fate == FAILED && (r.code == VS_OUTCOME_INTERRUPTED || r.code == VS_OUTCOME_WORKER);
+  }
   return r;
 }
 
@@ -638,10 +679,8 @@ static void take_result(picture *p) {
   p->process = 0;
 }
 
-/* Records the result of the picture in the manifest, and prints it. */
-static void finish(batch *b, picture *p) {
-  p->failed = false;
-  write_manifest(b);
+/* Prints the result of the picture. */
+static void tell(const batch *b, const picture *p) {
   if (b->options->quiet) return;
   if (p->result.fate == STANDS) printf("%s: up to date\n", p->file);
   else if (p->result.fate == MADE) printf("%s: made in %.1f s\n", p->file, p->result.seconds);
@@ -649,9 +688,16 @@ static void finish(batch *b, picture *p) {
   fflush(stdout);
 }
 
+/* Records the result of the picture in the manifest, and prints it. */
+static void finish(batch *b, picture *p) {
+  p->failed = false;
+  write_manifest(b);
+  tell(b, p);
+}
+
 /* Returns true if an earlier frame of the same film has failed, since later frames would fail in the same way. */
 static bool is_of_failed_film(const batch *b, size_t i) {
-  for (size_t k = i; b->at[i].frame && k-- > 0 && b->at[k].frame < b->at[k + 1].frame;)
+  for (size_t k = i; b->at[i].frame && !b->options->keep_going && k-- > 0 && b->at[k].frame < b->at[k + 1].frame;)
     if (b->at[k].result.fate == FAILED) return true;
   return false;
 }
@@ -723,6 +769,16 @@ static bool try_models(batch *b) {
   return ok;
 }
 
+/* Returns true if none of these pictures is newer than the file. Another run may have made them. */
+static bool is_newest(const batch *b, const char *file, size_t from, size_t to) {
+  struct stat is, of;
+  bool newest = stat(file, &of) == 0;
+  for (size_t i = from; newest && i < to; i++)
+    newest = stat(b->at[i].file, &is) == 0 && (is.st_mtim.tv_sec < of.st_mtim.tv_sec ||
+             (is.st_mtim.tv_sec == of.st_mtim.tv_sec && is.st_mtim.tv_nsec <= of.st_mtim.tv_nsec));
+  return newest;
+}
+
 /* ---- tiles ---- */
 
 /* Returns the index after the last tile of the picture whose first tile in the batch is `from`. */
@@ -757,6 +813,7 @@ static vs_outcome join_tiles(const batch *b) {
     if (!whole) continue;
     bool stands = access(whole, F_OK) == 0;
     for (size_t i = from; i < to; i++) stands = stands && b->at[i].result.fate == STANDS;
+    if (stands && o->join) stands = is_newest(b, whole, from, to);
     if (!may_write(b, whole)) return VS_OUTCOME_USAGE;
     if (stands && !o->quiet) printf("%s: up to date\n", whole);
     if (stands) continue;
@@ -782,6 +839,11 @@ static vs_outcome make_films(const batch *b) {
     for (to = from + 1; to < b->count && b->at[to].frame > b->at[to - 1].frame;) to++;
     bool stands = true;
     for (size_t i = from; i < to; i++) stands = stands && b->at[i].result.fate == STANDS;
+    if (stands && b->options->join) {
+      char name[PATH_ROOM];
+      cli_film_name(b->at[from].file, name, sizeof name);
+      stands = is_newest(b, name, from, to);
+    }
     if (!may_film(b, &b->at[from])) return VS_OUTCOME_USAGE;
     cli_film film = {b->at[from].file, to - from, b->options->film, stands, b->options->quiet};
     outcome = cli_film_make(&film);
@@ -830,13 +892,38 @@ static bool prepare(batch *b) {
   return ok && (!o->sheet || may_write(b, o->sheet)) && take_manifest(b);
 }
 
-static vs_outcome run_batch(batch *b) {
-  const cli_options *o = b->options;
-  vs_outcome outcome = b->failed;
-  if (!try_models(b)) return VS_OUTCOME_USAGE;
+/* Gives each picture the result of an earlier run, without running its model. */
+static void recall_all(batch *b) {
+  for (size_t i = 0; i < b->count && !*b->ended; i++)
+    if (recall_result(b, &b->at[i])) tell(b, &b->at[i]);
+}
+
+/* Forgets failures of earlier runs that are to be repeated: --keep-failed keeps those of the model and of limits. */
+static void recall_failures(batch *b) {
+  for (size_t i = 0; i < b->count; i++) {
+    picture *p = &b->at[i];
+    if (recall_result(b, p) && p->result.fate == FAILED && cli_part_state_of(p->result.code) == PART_FAILED) continue;
+    p->kept = NULL, p->result = (result){.fate = NOT_TRIED};
+  }
+}
+
+/* Runs the models, and makes the pictures. Returns false after a message if an output is an input. */
+static bool make_all(batch *b) {
+  if (!try_models(b)) return false;
+  if (b->options->keep_failed) recall_failures(b);
   expose_films(b, b->ended);
   share_scenes(b);
   run_all(b, b->ended, make);
+  return true;
+}
+
+static vs_outcome run_batch(batch *b) {
+  const cli_options *o = b->options;
+  vs_outcome outcome = b->failed;
+  if (o->join) recall_all(b);
+  else if (!make_all(b)) return VS_OUTCOME_USAGE;
+  for (size_t i = 0; o->join && i < b->count; i++)
+    if (b->at[i].result.fate == NOT_TRIED) outcome = VS_OUTCOME_WORKER;
   for (size_t i = b->count; i-- > 0;)
     if (b->at[i].result.fate == FAILED) outcome = (vs_outcome)b->at[i].result.code;
   if (*b->ended) outcome = VS_OUTCOME_INTERRUPTED;

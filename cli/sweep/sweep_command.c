@@ -26,7 +26,6 @@
 #include "model/store/array.h"
 
 enum { PATH_ROOM = 4096, WAIT = 200 /* milliseconds until a signal is noticed that came between two calls */ };
-enum { REPEATS = 2 /* number of further runs of a part that was killed, or whose worker failed */ };
 enum { THUMB_WIDTH = 480, THUMB_HEIGHT = 360 }; /* size of a picture without --size */
 
 /* A process that runs a part. */
@@ -215,20 +214,24 @@ static void keep_message(sweep *w, sweep_part *p, const char *text) {
   if (text && *text) p->message = sweep_keep_text(&w->plan.memory, text, strcspn(text, "\n"));
 }
 
+/* Prints the result of a part. */
+static void tell(const sweep *w, const sweep_part *p) {
+  if (w->options->quiet) return;
+  if (p->fate == SWEEP_FAILED) fprintf(w->told, "%s: failed\n", p->name);
+  else if (p->fate == SWEEP_STANDS) fprintf(w->told, "%s: up to date\n", p->name);
+  else fprintf(w->told, "%s: made in %.1f s\n", p->name, p->seconds);
+  fflush(w->told);
+}
+
 /* Records the result of a part in the manifest, and prints it. */
 static void record(sweep *w, const sweep_part *p) {
-  bool failed = p->fate == SWEEP_FAILED;
   if (w->manifest && p->fate != SWEEP_STANDS && !w->unwritten) {
     const char *path = sweep_manifest_path(w->manifest);
     bool input = vs_is_input(w->inputs, path);
     if (input) fprintf(stderr, "vs sweep: %s: the model reads this file, and the sweep writes it\n", path);
     w->unwritten = input || !sweep_manifest_add(w->manifest, p);
   }
-  if (w->options->quiet) return;
-  if (failed) fprintf(w->told, "%s: failed\n", p->name);
-  else if (p->fate == SWEEP_STANDS) fprintf(w->told, "%s: up to date\n", p->name);
-  else fprintf(w->told, "%s: made in %.1f s\n", p->name, p->seconds);
-  fflush(w->told);
+  tell(w, p);
 }
 
 /* Clears the results of the part, for another run. */
@@ -241,7 +244,7 @@ static void clear(sweep_part *p) {
  * the model, and a limit, would come again. */
 static bool repeat(sweep *w, sweep_part *p, bool killed) {
   bool chance = killed || (p->code == VS_OUTCOME_WORKER && w->made);
-  if (!chance || p->repeats == REPEATS || stops(w)) return false;
+  if (!chance || p->repeats >= w->options->retries || stops(w)) return false;
   p->repeats++;
   clear(p);
   return start(w, p);
@@ -258,11 +261,11 @@ static void finish(sweep *w, runner *r) {
   close(r->numbers);
   take_numbers(w, r);
   p->seconds = (double)(now.tv_sec - r->clock.tv_sec) + 1e-9 * (double)(now.tv_nsec - r->clock.tv_nsec);
-  p->code = WIFEXITED(status) ? WEXITSTATUS(status) : *w->ended ? VS_OUTCOME_INTERRUPTED : VS_OUTCOME_MACHINE;
+  p->code = WIFEXITED(status) ? WEXITSTATUS(status) : *w->ended ? VS_OUTCOME_INTERRUPTED : SWEEP_KILLED;
   p->fate = p->code == VS_OUTCOME_DONE ? SWEEP_MADE : SWEEP_FAILED;
   char *names = take_file(r->read, &length);
   for (const char *at = names; at && at < names + length; at += strlen(at) + 1) vs_note_input(w->inputs, at);
-  if (w->manifest && p->fate == SWEEP_MADE && !w->trying)
+  if (w->manifest && !w->trying)
     p->inputs = names ? sweep_manifest_inputs(w->manifest, names, length, r->began) : 0;
   free(names);
   if (w->trying) {
@@ -317,6 +320,15 @@ static void copy_result(sweep_table *t, sweep_part *p) {
   p->numbers = from->numbers, p->number_count = from->number_count, p->inputs = from->inputs;
 }
 
+/* Returns true if an earlier run of the part has failed, and is not to be repeated. The part then has its results. */
+static bool keeps_failed(const sweep *w, sweep_part *p) {
+  const cli_options *o = w->options;
+  if (!w->manifest || !(o->keep_failed || o->join) || !sweep_manifest_failed(w->manifest, p)) return false;
+  if (o->join || (p->code != VS_OUTCOME_WORKER && p->code != SWEEP_KILLED)) return true;
+  clear(p);
+  return false;
+}
+
 static void run_all(sweep *w) {
   sweep_table *t = &w->plan.table;
   bool asked = false;
@@ -328,6 +340,8 @@ static void run_all(sweep *w) {
     sweep_part *p = &t->parts[next++];
     if (p->same >= w->plan.from && t->parts + p->same != p) continue;
     if (!w->trying && w->manifest && sweep_manifest_stands(w->manifest, p)) record(w, p);
+    else if (!w->trying && keeps_failed(w, p)) tell(w, p);
+    else if (w->options->join) continue;
     else if (!start(w, p) && !w->trying) {
       p->fate = SWEEP_FAILED, p->code = VS_OUTCOME_MACHINE;
       keep_message(w, p, "no process could be started");
@@ -386,9 +400,11 @@ static vs_outcome sum_up(const sweep *w, bool *complete) {
   vs_outcome outcome = VS_OUTCOME_DONE;
   for (size_t i = w->plan.to; i-- > w->plan.from;) {
     of[t->parts[i].fate]++;
-    if (t->parts[i].fate == SWEEP_FAILED) outcome = (vs_outcome)t->parts[i].code;
+    int code = t->parts[i].code == SWEEP_KILLED ? VS_OUTCOME_MACHINE : t->parts[i].code;
+    if (t->parts[i].fate == SWEEP_FAILED) outcome = (vs_outcome)code;
   }
   *complete = of[SWEEP_NOT_TRIED] == 0;
+  if (!*complete && w->options->join && outcome == VS_OUTCOME_DONE) outcome = VS_OUTCOME_WORKER;
   if (w->options->quiet) return outcome;
   fprintf(w->told, "%s: %zu sets, %zu made, %zu up to date, %zu failed", w->options->sources[0].text,
           w->plan.to - w->plan.from, of[SWEEP_MADE], of[SWEEP_STANDS], of[SWEEP_FAILED]);
@@ -416,7 +432,7 @@ static bool try_parts(sweep *w) {
   bool any = exists(p->table_path) || exists(p->sheet_path) || !sweep_manifest_is_new(w->manifest);
   for (size_t i = p->from; i < p->to; i++)
     for (size_t k = 0; k < p->table.parts[i].file_count; k++) any = any || exists(p->table.parts[i].files[k].path);
-  if (!any || sweep_manifest_note_inputs(w->manifest, w->inputs)) return may_write_all(w);
+  if (!any || sweep_manifest_note_inputs(w->manifest, w->inputs) || w->options->join) return may_write_all(w);
   w->trying = true;
   run_all(w);
   w->trying = w->unknown = false;
@@ -430,7 +446,7 @@ static vs_outcome run_sweep(sweep *w) {
   if (p->folder && !(w->manifest = sweep_manifest_open(&w->plan.table, p->folder, p->only))) return VS_OUTCOME_USAGE;
   if (p->folder && !try_parts(w)) return sweep_manifest_abandon(w->manifest), VS_OUTCOME_USAGE;
   run_all(w);
-  vs_outcome outcome = sum_up(w, &complete);
+  vs_outcome outcome = sum_up(w, &complete); /* of a sweep that joins, parts may be missing */
   if (*w->ended) return VS_OUTCOME_INTERRUPTED;
   if (w->unknown) return VS_OUTCOME_USAGE;
   bool ok = !w->unwritten && write_results(w);

@@ -26,8 +26,9 @@ typedef struct { const char *path; uint64_t hash; } input;
 typedef enum { UNKNOWN, CURRENT, CHANGED } state;
 /* The files of one run. state: whether they still have these contents. */
 typedef struct { uint64_t id; const input *at; size_t count; state state; } group;
-/* A line about a part. order: its position among all lines. */
-typedef struct { uint64_t key, inputs; size_t order; const char *line; size_t length; bool done; } saved;
+/* A line about a part. order: its position among all lines. rank: how much the line says of the present part. */
+typedef enum { OUTDATED, HAS_FAILED, IS_DONE } rank;
+typedef struct { uint64_t key, inputs; size_t order; const char *line; size_t length; bool done; rank rank; } saved;
 /* A file whose contents were hashed, with its state then. */
 typedef struct { const char *path; uint64_t hash; struct stat is; } hashed;
 
@@ -139,7 +140,7 @@ static bool take_line(sweep_manifest *m, const char *line, size_t length) {
     if (!read_hash(m, one, "inputs", &inputs)) inputs = 0;
     ok = VS_GROW(m->saved, m->saved_room, m->saved_count + 1);
     if (ok) {
-      m->saved[m->saved_count] = (saved){key, inputs, m->saved_count, line, length, !strcmp(outcome, "done")};
+      m->saved[m->saved_count] = (saved){key, inputs, m->saved_count, line, length, !strcmp(outcome, "done"), OUTDATED};
       m->saved_count++;
     }
   } else if (read_hash(m, one, "inputs", &inputs)) ok = take_group(m, inputs, cli_data_at(&m->reader, one, "read"));
@@ -195,12 +196,19 @@ static bool read_range(sweep_manifest *m, const char *path) { return read_file(m
 static int by_key(const void *a, const void *b) {
   const saved *x = a, *y = b;
   if (x->key != y->key) return x->key < y->key ? -1 : 1;
+  if (x->rank != y->rank) return x->rank < y->rank ? -1 : 1;
   return x->order < y->order ? -1 : x->order > y->order;
 }
 
-/* Sorts the lines by key, and keeps only the last line of each. */
+/* Sorts the lines by key, and keeps one of each: a done part, then a failed one, then the last. The manifests of ranges
+ * are read in no order. */
 static void index_lines(sweep_manifest *m) {
   size_t kept = 0;
+  for (size_t i = 0; i < m->saved_count; i++) {
+    saved *s = &m->saved[i];
+    bool current = is_current(m, s->inputs);
+    s->rank = s->done ? current ? IS_DONE : OUTDATED : current || !s->inputs ? HAS_FAILED : OUTDATED;
+  }
   if (m->saved_count) qsort(m->saved, m->saved_count, sizeof *m->saved, by_key);
   for (size_t i = 0; i < m->saved_count; i++)
     if (i + 1 == m->saved_count || m->saved[i + 1].key != m->saved[i].key) m->saved[kept++] = m->saved[i];
@@ -263,6 +271,18 @@ sweep_manifest *sweep_manifest_open(sweep_table *t, const char *folder, const ch
   return NULL;
 }
 
+sweep_manifest *sweep_manifest_read(sweep_table *t, const char *folder) {
+  sweep_manifest *m = vs_zeros(1, sizeof *m);
+  if (!m) return sweep_no_memory(), NULL;
+  *m = (sweep_manifest){.table = t, .folder = folder, .file = -1, .shared = -1};
+  snprintf(m->path, PATH_ROOM, "%s/manifest.jsonl", folder);
+  bool ok = read_file(m, m->path, false) && each_range(m, read_range);
+  index_lines(m);
+  if (ok) return m;
+  sweep_manifest_close(m);
+  return NULL;
+}
+
 void sweep_manifest_let_go(const sweep_manifest *m) {
   if (m->file >= 0) close(m->file);
   if (m->shared >= 0) close(m->shared);
@@ -307,12 +327,34 @@ static bool take_results(sweep_manifest *m, sweep_part *p, cli_data line) {
 
 bool sweep_manifest_stands(sweep_manifest *m, sweep_part *p) {
   const saved *s = find(m, p->key);
-  if (!s || !s->done || !is_current(m, s->inputs)) return false;
+  if (!s || s->rank != IS_DONE) return false;
   cli_data line = cli_data_read(&m->reader, s->line, s->length);
   bool ok = line && take_results(m, p, line);
   cli_data_free(&m->reader, line);
   if (ok) p->inputs = s->inputs, p->fate = SWEEP_STANDS;
   return ok;
+}
+
+bool sweep_manifest_failed(sweep_manifest *m, sweep_part *p) {
+  const saved *s = find(m, p->key);
+  if (!s || s->rank != HAS_FAILED) return false;
+  cli_data line = cli_data_read(&m->reader, s->line, s->length);
+  const char *message = cli_data_text(&m->reader, line, "message", NULL);
+  p->fate = SWEEP_FAILED, p->inputs = s->inputs;
+  p->code = (int)cli_data_number(&m->reader, line, "code", VS_OUTCOME_MODEL);
+  p->message = message ? sweep_keep_text(m->table->memory, message, strlen(message)) : NULL;
+  p->seconds = cli_data_real(&m->reader, line, "seconds", 0);
+  cli_data_free(&m->reader, line);
+  return true;
+}
+
+bool sweep_manifest_is_listed(sweep_manifest *m, sweep_part *p) {
+  const saved *s = find(m, p->key);
+  if (!s || s->rank != IS_DONE) return false;
+  cli_data line = cli_data_read(&m->reader, s->line, s->length);
+  p->seconds = cli_data_real(&m->reader, line, "seconds", 0);
+  cli_data_free(&m->reader, line);
+  return true;
 }
 
 /* ---- writing ---- */
@@ -433,7 +475,7 @@ static bool write_all(sweep_manifest *m, FILE *to) {
     if (is_current(m, m->groups[i].id)) write_group(to, &m->groups[i]);
   for (size_t i = 0; i < m->saved_count; i++) {
     const saved *s = &m->saved[i];
-    if (!s->done || !is_current(m, s->inputs) || bsearch(&s->key, keys, t->count, sizeof *keys, by_number)) continue;
+    if (s->rank != IS_DONE || bsearch(&s->key, keys, t->count, sizeof *keys, by_number)) continue;
     fwrite(s->line, 1, s->length, to);
     fputc('\n', to);
   }

@@ -16,6 +16,8 @@ typedef struct sweep_manifest sweep_manifest;
 /* Reads and locks the manifest in the folder. only: the range as "1..10", or NULL for a whole sweep. Returns NULL after
  * a message, if another sweep has locked it or it cannot be written. */
 sweep_manifest *sweep_manifest_open(sweep_table *t, const char *folder, const char *only);
+/* Reads the manifests in the folder, without a lock, while others may write them. The result appends nothing. */
+sweep_manifest *sweep_manifest_read(sweep_table *t, const char *folder);
 bool sweep_manifest_is_new(const sweep_manifest *m); /* returns true if the manifest's file was empty or missing */
 /* Records in s the files that runs of earlier sweeps have read. Returns false if there were none. */
 bool sweep_manifest_note_inputs(const sweep_manifest *m, vs_scheme *s);
@@ -23,6 +25,12 @@ void sweep_manifest_abandon(sweep_manifest *m); /* removes the file if it is new
 /* Returns true if the manifest lists the part, and neither the files that its run read nor its outputs have changed.
  * The part then has its results. */
 bool sweep_manifest_stands(sweep_manifest *m, sweep_part *p);
+/* Returns true if the manifest lists the part as done, and the files that its run read have not changed; its outputs
+ * are not read. Sets the part's seconds. */
+bool sweep_manifest_is_listed(sweep_manifest *m, sweep_part *p);
+/* Returns true if the last line about the part says that it failed, and the files that its run read have not changed.
+ * The part then has its code and its message. */
+bool sweep_manifest_failed(sweep_manifest *m, sweep_part *p);
 /* Returns the hash of the names and contents of these files, each name ending in NUL. Returns 0 if one of them has
  * changed since the run began, so that nobody knows which contents it read. */
 uint64_t sweep_manifest_inputs(sweep_manifest *m, const char *names, size_t length, struct timespec began);

@@ -27,6 +27,7 @@ typedef struct { size_t column; double value; } sweep_number;
 typedef struct { const char *path; uint64_t hash; } sweep_file;
 
 typedef enum { SWEEP_NOT_TRIED, SWEEP_MADE, SWEEP_STANDS, SWEEP_FAILED } sweep_fate;
+enum { SWEEP_KILLED = 137 /* the code of a run that a signal ended */ };
 /* A set of the sweep with its results. */
 typedef struct {
   sweep_set set;

@@ -1,0 +1,123 @@
+/* Puts parts into bundles, and writes the scripts that make and join them. */
+#define _GNU_SOURCE
+#include "cli/cluster/job_bundles.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/store/array.h"
+
+enum { MOST = 1000 /* bundles; Slurm's arrays have 1001 tasks unless a cluster says otherwise */ };
+enum { SHORTEST = 60, LONGEST = 600, SHORTEST_HERE = 2, LONGEST_HERE = 60 /* seconds of a bundle */ };
+
+size_t job_bundle_size(double seconds, size_t parts, bool cluster) {
+  double each = seconds > 0.001 ? seconds : 0.001;
+  double least = ceil((cluster ? SHORTEST : SHORTEST_HERE) / each),
+         most = ceil((cluster ? LONGEST : LONGEST_HERE) / each);
+  double size = ceil((double)parts / 32);
+  if (size < least) size = least;
+  if (size > most) size = most;
+  return size < (double)parts ? (size_t)size : parts;
+}
+
+static bool is_to_make(const cli_part_state *states, size_t i) {
+  return !states || states[i] == PART_MISSING || states[i] == PART_KILLED;
+}
+
+/* Fills r->bundles, which has room for all parts. A bundle may have `gap` parts in a row that need not be made. */
+static void fill(job_record *r, const cli_part_state *states, size_t first, size_t most, size_t gap) {
+  r->bundle_count = 0;
+  for (size_t i = first; i < r->parts; i++) {
+    job_range *last = r->bundle_count ? &r->bundles[r->bundle_count - 1] : NULL;
+    if (!is_to_make(states, i)) continue;
+    if (last && i + 1 - (size_t)last->to <= gap + 1 && i + 2 - (size_t)last->from <= most) last->to = (long)i + 1;
+    else r->bundles[r->bundle_count++] = (job_range){(long)i + 1, (long)i + 1};
+  }
+}
+
+bool job_bundles_make(job_record *r, const cli_part_state *states, size_t first) {
+  size_t most = r->bundle ? r->bundle : 1, gap = 0;
+  r->bundles = sweep_keep(&r->memory, r->parts + 1, sizeof *r->bundles);
+  if (!r->bundles) return false;
+  for (fill(r, states, first, most, gap); r->bundle_count > MOST; fill(r, states, first, most, gap))
+    most = most + most / 4 + 1, gap = gap + gap / 4 + 1;
+  return true;
+}
+
+/* ---- words ---- */
+
+const char **job_words_of(const job_record *r, const char *range) {
+  size_t n = 0;
+  const char **w;
+  if (!VS_FRESH(w, r->part_count + 8)) return fputs("vs: out of memory\n", stderr), NULL;
+  w[n++] = r->program, w[n++] = r->command, w[n++] = "--only", w[n++] = range, w[n++] = "--keep-going";
+  for (size_t i = 0; i < r->part_count; i++) w[n++] = r->part[i];
+  w[n] = NULL;
+  return w;
+}
+
+const char **job_words_of_all(const job_record *r, const char *option, const char *value) {
+  size_t n = 0;
+  const char **w;
+  if (!VS_FRESH(w, r->whole_count + 8)) return fputs("vs: out of memory\n", stderr), NULL;
+  w[n++] = r->program, w[n++] = r->command, w[n++] = option;
+  if (value) w[n++] = value, w[n++] = "--keep-failed";
+  for (size_t i = 0; i < r->whole_count; i++) w[n++] = r->whole[i];
+  w[n] = NULL;
+  return w;
+}
+
+/* ---- scripts ---- */
+
+/* Writes the word as a shell reads it. */
+static void put_quoted(FILE *to, const char *word) {
+  fputs(" '", to);
+  for (; *word; word++)
+    if (*word == '\'') fputs("'\\''", to);
+    else fputc(*word, to);
+  fputc('\'', to);
+}
+
+/* A run that Slurm has started again keeps failures of the model, which would come again. */
+static void put_bundles(FILE *to, const job_record *r) {
+  fprintf(to, "#!/bin/sh\n# Written by vs: makes the parts of one bundle.\ncase ${1:-$SLURM_ARRAY_TASK_ID} in\n");
+  for (size_t i = 0; i < r->bundle_count; i++)
+    fprintf(to, "%zu) only=%ld..%ld ;;\n", i + 1, r->bundles[i].from, r->bundles[i].to);
+  fputs("esac\nagain=\n[ \"${SLURM_RESTART_COUNT:-0}\" = 0 ] || again=--keep-failed\ncd", to);
+  put_quoted(to, r->directory);
+  fputs(" || exit 4\nexec", to);
+  put_quoted(to, r->program);
+  size_t cpus = r->cpus ? r->cpus : 1;
+  bool sweeps = !strcmp(r->command, "sweep");
+  fprintf(to, " %s --only \"$only\" --keep-going $again --jobs %zu --threads %zu", r->command, sweeps ? cpus : 1,
+          sweeps ? 1 : cpus);
+  for (size_t i = 0; i < r->part_count; i++) put_quoted(to, r->part[i]);
+  fputc('\n', to);
+}
+
+static void put_join(FILE *to, const job_record *r) {
+  fputs("#!/bin/sh\n# Written by vs: joins all parts.\ncd", to);
+  put_quoted(to, r->directory);
+  fputs(" || exit 4\nexec", to);
+  put_quoted(to, r->program);
+  fputs(" jobs join", to);
+  put_quoted(to, r->folder);
+  fputc('\n', to);
+}
+
+static bool write_script(const job_record *r, const char *name, void (*put)(FILE *to, const job_record *r)) {
+  char path[JOB_PATH_ROOM];
+  job_record_path(r, name, path);
+  FILE *to = fopen(path, "wb");
+  if (to) put(to, r);
+  bool ok = to && !ferror(to);
+  if (to && fclose(to) != 0) ok = false;
+  if (!ok) fprintf(stderr, "vs: cannot write %s: %s\n", path, strerror(errno));
+  return ok;
+}
+
+bool job_scripts_write(const job_record *r) {
+  return write_script(r, "bundles.sh", put_bundles) && write_script(r, "join.sh", put_join);
+}
