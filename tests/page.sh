@@ -57,6 +57,9 @@ for name in light daylight evening; do
   if command -v povray > /dev/null; then "$BUILD/vs" --quiet "$work/$name.vs" --size 480x360 -o "$work/$name.png" || echo "not ok page/$name: ended with $?"
   else echo "skip page/$name: no POV-Ray (package povray)"; fi
 done
+echo '(define-parameter n 1) (define-parameter style "flat") (report "area" (* n n)) (draw (make-box origin (xyz n 1 1)))' > "$work/swept.vs"
+"$BUILD/vs" sweep -q "$work/swept.vs" --set n=1..4:1 --set style=flat,steep --format svg -o "$work/swept/" || echo "not ok page/parallel coordinates: ended with $?"
+timeout 120 node tests/page/parallel.mjs "$work/swept/index.html" || echo "not ok page/parallel coordinates: ended with $?"
 timeout 1500 node tests/page/page.mjs "$work" || echo "not ok page: ended with $?"
 
 # .x3d files: the form of each kind of node, instances, and two examples.

@@ -3,12 +3,16 @@
 #include "cli/sweep/sweep_results.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "cli/batch/part_files.h"
 #include "cli/json.h"
 
 enum { BEST = 10 };
+
+/* The script parallel_coordinates.js, which the build links into the program. */
+extern const char vs_asset_parallel_coordinates_js[], vs_asset_parallel_coordinates_js_end[];
 
 /* ---- CSV (RFC 4180) ---- */
 
@@ -75,15 +79,57 @@ static void put_caption(FILE *to, const sweep_table *t, const sweep_part *p) {
   fputs("</figcaption>", to);
 }
 
+/* Writes the values of the part as JSON for the page's script: parameters, then numbers. */
+static void put_values(FILE *to, const sweep_table *t, const sweep_part *p) {
+  char *text = NULL;
+  size_t size;
+  FILE *list = open_memstream(&text, &size);
+  if (!list) return;
+  fputc('[', list);
+  for (size_t i = 0; i < t->column_count; i++) {
+    const char *value = sweep_value(p, t->columns[i]);
+    char *end = NULL;
+    double x = value ? strtod(value, &end) : NAN;
+    if (i) fputc(',', list);
+    if (!value) fputs("null", list);
+    else if (*value && !*end) cli_json_number(list, x);
+    else cli_json_text(list, value);
+  }
+  for (size_t i = 0; i < t->number_count; i++) {
+    fputs(i + t->column_count ? "," : "", list);
+    cli_json_number(list, sweep_number_of(p, i));
+  }
+  fputc(']', list);
+  if (fclose(list) == 0) fputs(" data-values=\"", to), cli_part_html(to, text), fputc('"', to);
+  free(text);
+}
+
+/* Writes the names of the axes as JSON. */
+static void put_axes(FILE *to, const sweep_table *t) {
+  char *text = NULL;
+  size_t size;
+  FILE *list = open_memstream(&text, &size);
+  if (!list) return;
+  fputc('[', list);
+  for (size_t i = 0; i < t->column_count + t->number_count; i++) {
+    fputs(i ? "," : "", list);
+    cli_json_text(list, i < t->column_count ? t->columns[i] : t->numbers[i - t->column_count]);
+  }
+  fputc(']', list);
+  if (fclose(list) == 0) fputs("<body data-axes=\"", to), cli_part_html(to, text), fputs("\">\n", to);
+  free(text);
+}
+
 void sweep_write_sheet(FILE *to, const sweep_table *t, const size_t *rows, size_t count, const char *path) {
   fputs(
       "<!doctype html><meta charset=\"utf-8\"><title>Sweep</title>\n<style>body{font:13px sans-serif;margin:24px;"
       "display:grid;grid-template-columns:repeat(auto-fill,minmax(240px,1fr));gap:24px}figure{margin:0}img{width:100%;"
       "height:auto;display:block}figcaption{padding-top:6px;color:#444}</style>\n",
       to);
+  put_axes(to, t);
   for (size_t r = 0; r < count; r++) {
     const sweep_part *p = &t->parts[rows[r]];
-    fputs("<figure>", to);
+    fputs("<figure", to), put_values(to, t, p), fputc('>', to);
     for (size_t k = 0; p->fate != SWEEP_FAILED && k < p->file_count; k++) {
       const char *file = p->files[k].path, *slash = strrchr(file, '/');
       fputs("<a href=\"", to), cli_part_link(to, file, path), fputs("\">", to);
@@ -95,6 +141,10 @@ void sweep_write_sheet(FILE *to, const sweep_table *t, const size_t *rows, size_
     put_caption(to, t, p);
     fputs("</figure>\n", to);
   }
+  fputs("<script>\n", to);
+  fwrite(vs_asset_parallel_coordinates_js, 1,
+         (size_t)(vs_asset_parallel_coordinates_js_end - vs_asset_parallel_coordinates_js), to);
+  fputs("</script>\n", to);
 }
 
 /* ---- the best rows ---- */

@@ -1,0 +1,43 @@
+// Owns the tests of a sweep's page: its parallel coordinates. `parallel.mjs INDEX.HTML`, the page of a sweep of n=1..4,
+// style=flat,steep with the number "area". Prints lines in the form that tests/run.sh reads.
+import { pathToFileURL } from "node:url";
+import { browser } from "./browser.mjs";
+
+const faults = [], check = (ok, words) => { if (!ok) faults.push(words); };
+const chromium = await browser(), page = await chromium.newPage({ viewport: { width: 900, height: 900 } });
+const troubles = [];
+page.on("pageerror", (error) => troubles.push(String(error)));
+page.on("request", (request) => { if (!request.url().startsWith("file:")) troubles.push("it requests " + request.url()); });
+await page.goto(pathToFileURL(process.argv[2]).href);
+const shown = () => page.$$eval("figure", (all) => all.filter((f) => f.style.display !== "none").map((f) => JSON.parse(f.dataset.values)));
+const status = () => page.textContent("[role=status]");
+check((await status()) === "8 of 8 sets", "the count begins with " + (await status()));
+const inked = await page.$eval("canvas", (c) => c.getContext("2d").getImageData(0, 0, c.width, c.height).data.filter((v, i) => i % 4 === 3 && v > 0).length);
+check(inked > 2000, `only ${inked} pixels are drawn`);
+const box = await (await page.$("canvas")).boundingBox(), x = (k) => box.x + 60 + (k * (box.width - 120)) / 2;
+async function drag(k, from, to) {
+  await page.mouse.move(x(k), box.y + from);
+  await page.mouse.down();
+  await page.mouse.move(x(k), box.y + (from + to) / 2);
+  await page.mouse.move(x(k), box.y + to);
+  await page.mouse.up();
+}
+await drag(0, 30, 120); // the upper half of n: 3 and 4
+let rows = await shown();
+check(rows.length === 4 && rows.every((r) => r[0] >= 3), "the upper half of n keeps " + JSON.stringify(rows));
+await drag(1, 30, 60); // the upper end of style: the text that comes last
+rows = await shown();
+check(rows.length === 2 && rows.every((r) => r[1] === "steep"), "and of style " + JSON.stringify(rows));
+check((await status()) === "2 of 8 sets", "the count is " + (await status()));
+await page.click("button");
+check((await shown()).length === 8, "the button does not show all");
+const before = await page.$eval("canvas", (c) => c.toDataURL());
+await page.mouse.click(x(0), box.y + 8);
+check((await page.$eval("canvas", (c) => c.toDataURL())) !== before, "a click on a name does not change the colours");
+await page.hover("figure:nth-of-type(3)");
+await page.setViewportSize({ width: 360, height: 700 });
+check(await page.evaluate(() => document.documentElement.scrollWidth <= 360), "a phone's width does not hold it");
+check(troubles.length === 0, troubles.join("; "));
+await chromium.close();
+console.log((faults.length ? "not ok" : "ok") + " page/parallel coordinates");
+for (const fault of faults) console.log("    " + fault);
