@@ -347,7 +347,7 @@ gallery: all ## make build/gallery: a page with a picture of every example (POV-
 
 # ---- installing ----
 
-PLACE     = PREFIX="$(PREFIX)" DESTDIR="$(DESTDIR)" LIB="$(LIB)" STRIP="$(STRIP)" sh packaging/place.sh
+PLACE     = PREFIX="$(PREFIX)" DESTDIR="$(DESTDIR)" LIB="$(LIB)" STRIP="$(STRIP)" sh scripts/packaging/place.sh
 
 install: all $(BUILD)/libvisualscheme.so ## install program, library, manual, examples, completions and desktop files below PREFIX (default /usr/local)
 	@$(PLACE) install "$(BUILD)" "$(VERSION)"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Makes packages of Debian below BUILD/deb from the release BUILD/visualscheme-VERSION.tar.gz and packaging/debian.
+# Makes packages of Debian below BUILD/deb from the release BUILD/visualscheme-VERSION.tar.gz and scripts/packaging/debian.
 #
 #   scripts/deb.sh BUILD VERSION
 set -u
@@ -8,7 +8,7 @@ name=visualscheme-$2 release=$1/visualscheme-$2.tar.gz
 fail() { echo "make deb: $*" >&2; exit 1; }
 [ -f "$release" ] || fail "$release is missing: make dist"
 rm -rf "$1/deb" && mkdir -p "$1/deb" && deb=$(cd "$1/deb" && pwd) && cp "$release" "$deb/visualscheme_$2.orig.tar.gz" && tar -xzf "$release" -C "$deb" || fail "cannot unpack $release"
-cp -r "$deb/$name/packaging/debian" "$deb/$name/debian" && cd "$deb/$name/debian" || exit 1
+cp -r "$deb/$name/scripts/packaging/debian" "$deb/$name/debian" && cd "$deb/$name/debian" || exit 1
 
 # The fields that the project has elsewhere: what a build needs, holders of rights, version and day.
 maintainer="The VisualScheme authors <authors@visualscheme.example>"

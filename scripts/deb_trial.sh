@@ -26,7 +26,8 @@ trap 'exit 130' INT TERM
 sources=$(apt-get indextargets --format 'deb $(REPO_URI) $(RELEASE) $(COMPONENT)' 'Created-By: Packages' | awk '$3 ~ /^bookworm/ && $4 == "main" && !seen[$0]++')
 case $suite in
 bookworm) mirror=$(echo "$sources" | awk '$3 == "bookworm" { print $2; exit }') script= components=main ;;
-*) mirror=http://archive.ubuntu.com/ubuntu script=/usr/share/debootstrap/scripts/gutsy components=main,universe ;;
+*) script=/usr/share/debootstrap/scripts/gutsy components=main,universe # the script of all releases of Ubuntu, with its mirror
+   mirror=$(sed -n 's|^.*default_mirror *\(http://archive.*\)$|\1|p' $script | head -n 1) ;;
 esac
 tar=$cache/$suite-$(dpkg --print-architecture).tar
 if [ ! -f "$tar" ]; then

@@ -82,7 +82,7 @@ fi
 result install/desktop "$work/why"
 
 # Another version replaces this one: files that it has no more are removed, with their folders.
-placed() { PREFIX=/usr DESTDIR="$work/a root" sh packaging/place.sh "$@"; }
+placed() { PREFIX=/usr DESTDIR="$work/a root" sh scripts/packaging/place.sh "$@"; }
 everything > "$work/first"
 mkdir "$root/share/visualscheme/older" && echo older > "$root/share/visualscheme/older/file"
 printf '%s\n' 'f share/visualscheme/older/file' 'd share/visualscheme/older' >> "$root/share/visualscheme/installed"

@@ -1,15 +1,15 @@
 #!/bin/sh
 # Installs the program, the library and all that belongs to them below PREFIX, or removes exactly these again.
 #
-#   packaging/place.sh install BUILD VERSION
-#   packaging/place.sh uninstall
+#   scripts/packaging/place.sh install BUILD VERSION
+#   scripts/packaging/place.sh uninstall
 #
 # Variables: PREFIX (/usr/local), DESTDIR, LIB (the libraries' folder below PREFIX: lib), STRIP (the command: strip; an
 # empty one keeps what debuggers read). The file PREFIX/share/visualscheme/installed lists each placed file, `f PATH`,
 # and each folder that was not there before, `d PATH`. `uninstall` reads it, and so does an `install` of another
 # version, which removes the files that this version has no more.
 set -u
-cd "$(dirname "$0")/.." || exit 1
+cd "$(dirname "$0")/../.." || exit 1
 umask 022
 PREFIX=${PREFIX:-/usr/local} LIB=${LIB:-lib} DESTDIR=${DESTDIR:-} STRIP=${STRIP-strip}
 root=$DESTDIR$PREFIX manifest=share/visualscheme/installed
@@ -40,7 +40,7 @@ lay() {
   place 644 "$build/libvisualscheme.a" "$LIB/libvisualscheme.a"
   stripped "$LIB/libvisualscheme.a" -S
   place 644 visualscheme.h include/visualscheme.h
-  sed "s|@PREFIX@|$PREFIX|; s|@LIB@|$LIB|; s|@VERSION@|$version|" packaging/visualscheme.pc > "$work/pc"
+  sed "s|@PREFIX@|$PREFIX|; s|@LIB@|$LIB|; s|@VERSION@|$version|" scripts/packaging/visualscheme.pc > "$work/pc"
   place 644 "$work/pc" "$LIB/pkgconfig/visualscheme.pc"
 
   sh scripts/man.sh "$version" > "$work/vs.1" || fail "cannot make the manual page"
@@ -51,10 +51,10 @@ lay() {
     place 644 "$work/completion" "share/$file"
   done
 
-  place 644 packaging/visualscheme.desktop share/applications/visualscheme.desktop
-  place 644 packaging/visualscheme-view.desktop share/applications/visualscheme-view.desktop
-  place 644 packaging/visualscheme.xml share/mime/packages/visualscheme.xml
-  place 644 packaging/visualscheme.svg share/icons/hicolor/scalable/apps/visualscheme.svg
+  place 644 scripts/packaging/visualscheme.desktop share/applications/visualscheme.desktop
+  place 644 scripts/packaging/visualscheme-view.desktop share/applications/visualscheme-view.desktop
+  place 644 scripts/packaging/visualscheme.xml share/mime/packages/visualscheme.xml
+  place 644 scripts/packaging/visualscheme.svg share/icons/hicolor/scalable/apps/visualscheme.svg
 
   for file in README.md CHANGELOG.md LICENSE NOTICE SECURITY.md; do place 644 $file $doc/$file; done
   place_all manual $doc/manual

@@ -2,7 +2,7 @@
 # Prints the packages of this machine that own the libraries which vs loads at their first use: those of
 # geometry/used_libraries.def, separated by commas.
 set -u
-cd "$(dirname "$0")/.." || exit 1
+cd "$(dirname "$0")/../.." || exit 1
 sed -e ':again' -e '/^LOADED(.*,$/{N;s/\n */ /;b again' -e '}' geometry/used_libraries.def |
   sed -n 's/CHOLMOD_FILE/"libcholmod.so.[0-9]*"/; s/JPEG_FILE/"libjpeg.so.[0-9]*"/; /^LOADED(/p' | cut -d '"' -f 2,9- | tr '"' ' ' | sort |
   while read -r name files; do
