@@ -309,6 +309,11 @@ static bool bounds_is_swept(const vs_node *n) { /* returns true if n is of a kin
   return vs_node_has(n, VS_IS_SAMPLED);
 }
 
+/* Returns true if the bounds of n follow from those of its children: a set, a region or joined curves. */
+static bool bounds_is_set(const vs_node *n) {
+  return vs_node_is_set(n) || n->kind == VS_REGION || n->kind == VS_JOIN;
+}
+
 /* Limits for computing the bounds of a set under a rotation part by part, so that they do not depend on whether the set
  * or each part is rotated. TURNED_DEEP: depth of sets; TURNED_EACH: steps for one set; TURNED_MOST: steps for all sets
  * of a memo. *done: false if a limit is exceeded. All nodes of the set are in the memo. */
@@ -325,9 +330,9 @@ static bool bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affine *
     if (!*done) break;
     size_t top = depth - 1;
     const vs_node *at = level[top].node;
-    bool down =
-        vs_node_is_set(at) && level[top].next < at->child_count && !(at->kind == VS_DIFFERENCE && level[top].next > 0);
-    if (vs_node_is_set(at) && level[top].next) { /* adds the bounds of the set's previous member, which are in b */
+    bool down = bounds_is_set(at) && level[top].next < at->child_count &&
+                !(at->kind == VS_DIFFERENCE && level[top].next > 0);
+    if (bounds_is_set(at) && level[top].next) { /* adds the bounds of the set's previous member, which are in b */
       if (at->kind == VS_INTERSECTION && level[top].next > 1) vs_bounds_meet(&level[top].all, &b);
       else vs_bounds_unite(&level[top].all, &b);
     }
@@ -341,7 +346,7 @@ static bool bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affine *
       level[depth].map = level[top].map;
       level[depth].next = 0;
       level[depth++].all = vs_bounds_empty();
-    } else if (vs_node_is_set(at)) {
+    } else if (bounds_is_set(at)) {
       b = level[--depth].all;
     } else {
       b = vs_bounds_empty();
@@ -372,7 +377,7 @@ static bool bounds_of(vs_bounds_memo *m, const vs_node *n, vs_bounds children, v
       below = below->children[0].node;
     }
     bool swept = bounds_is_swept(below), done = false;
-    if (vs_node_is_set(below) && !(below->flags & VS_NODE_ENDLESS) && !bounds_is_axial(&placed) &&
+    if (bounds_is_set(below) && !(below->flags & VS_NODE_ENDLESS) && !bounds_is_axial(&placed) &&
         !bounds_turned(m, below, &placed, b, &done, e))
       return false;
     if (done) return true;

@@ -48,3 +48,12 @@
 ; the middle of a room lies within it, also where the centroid does not
 (define angle (subtract (make-region (make-rectangle origin (xy 10 10))) (make-region (make-rectangle (xy 2 2) (xy 10 10)))))
 (displayln (list (contains? angle (centroid angle)) (contains? angle (region-middle angle)))) ; expect: (#f #t)
+; the box of a turned set is as tight as that of its parts: each region of shapes.vs beside a dot
+(define (box-size . l)
+  (let ((b (map bounding-box l)))
+    (define (reach pick f) (map (lambda (c) (apply f (map (lambda (b) (c (pick b))) b))) (list cx cy cz)))
+    (distance (apply xyz (reach first min)) (apply xyz (reach second max)))))
+(define dot (make-circle origin 1e-3))
+(for ([row rows] #:when (region? (cdr row)))
+  (let ((alone (box-size (placed dot) (placed (cdr row)))) (both (box-size (placed (unite dot (cdr row))))))
+    (if (> both (* 1.0001 alone)) (printf "~a: a box of ~a, not ~a~%" (car row) both alone))))
