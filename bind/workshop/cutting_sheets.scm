@@ -26,15 +26,18 @@
   (let ((ends (curve-division c 2)))
     (<= (distance (first ends) (last ends)) (* 1e-9 (curve-length c)))))
 
-; Returns the part's outline as one region, or refuses the part.
-(define (%part-region part)
+; Returns the part's outline as one region, or refuses the part. noun: the caller's parameter.
+(define (%part-region who noun part)
   (let ((regions (and (object? part) (not (solid? part)) (%part-regions part))))
     (if (or (not regions) (null? regions))
-        (error 'pack-parts "parts must be regions, closed curves, or unions with them, got ~s~a" part
+        (error who "~a regions, closed curves, or unions with them, got ~s~a" noun part
           (if (and (object? part) (solid? part)) "; do-section cuts a solid, unfold lays it flat" "")))
     (let ((whole (if (null? (cdr regions)) (car regions) (unite regions))))
-      (if (not (region? whole)) (error 'pack-parts "the regions of a part must lie in one plane, got ~s" part))
+      (if (not (region? whole)) (error who "the regions of a part must lie in one plane, got ~s" part))
       whole)))
+
+; Returns the region of a slice, a rib or a net, without the curves on it.
+(define (part-region part) (%part-region 'part-region "part must have" part))
 
 ; Returns a closed curve as n open ones, with gaps of this width between them.
 (define (%with-joints curve n width)
@@ -43,13 +46,14 @@
         (list curve)
         (map (lambda (i) (%curve-stretch curve (+ (* i pitch) (/ width 2)) (- (* (+ i 1) pitch) (/ width 2)))) (iota n)))))
 
-; Returns the points of a closed line from one length to another, with its corners.
-(define (%curve-stretch curve from to)
+; Returns the part of a curve from one length to another, as a line with its corners.
+(define (%curve-stretch curve from to) (make-line (%curve-points curve from to)))
+(define (%curve-points curve from to)
   (let* ((corners (%curve-corners curve))
          (inner (filter (lambda (c) (< (+ from 1e-9) (cdr c) (- to 1e-9))) corners)))
-    (make-line (append (list (curve-point curve from)) (map car inner) (list (curve-point curve to))))))
+    (append (list (curve-point curve from)) (map car inner) (list (curve-point curve to)))))
 
-; Returns the corners of a closed curve, with their lengths from its start.
+; Returns the corners of a curve, with their lengths from its start.
 (define (%curve-corners curve)
   (let* ((line (lowered curve))
          (points (if (eq? (object-kind line) 'line) (car (object-arguments line)) (curve-division curve 128))))
@@ -133,7 +137,7 @@
     (if (not (and (real? effort) (<= 0 effort 1000))) (error 'pack-parts "effort must be a number from 0 to 1000, got ~s" effort))
     (let* ((angles (%pack-angles turn))
            (given (if (= kerf 0) parts (map (lambda (p) (if (object? p) (%map-flat p (lambda (r) (do-offset r (/ kerf 2))) values) p)) parts)))
-           (regions (map %part-region given))
+           (regions (map (lambda (p) (%part-region 'pack-parts "parts must be" p)) given))
            (all (%pack-copies given count))
            (found (%pack-parts (%pack-copies regions count) (list (first sheet) (second sheet) gap margin effort) angles)))
       (if (integer? found) (%refuse-part (list-ref (%pack-copies regions count) found) sheet margin angles))

@@ -87,6 +87,52 @@
             (map (lambda (level) (if (solid? o) (append-map outline level) level))
                  (%contours (%drawn o) plane (map (lambda (i) (+ from (* step i))) (reverse (iota (max count 0)))))))))))
 
+; Returns a number as text: whole where it is whole, else with three decimals at most.
+(define (%height-text z) (number->string (%short z)))
+
+; Returns the positions on a curve, from its start, between which a text of this width fits best: where the curve is
+; straightest.
+(define (%text-place curve width)
+  (let ((l (curve-length curve)))
+    (define (straightness m) (distance (curve-point curve (- m (/ width 2))) (curve-point curve (+ m (/ width 2)))))
+    (let ((middles (map (lambda (i) (+ (/ width 2) (* (- l width) (/ i 16)))) '(8 7 9 6 10 5 11 4 12 3 13))))
+      (let loop ((m (car middles)) (rest (cdr middles)))
+        (cond ((null? rest) (cons (- m (/ width 2)) (+ m (/ width 2))))
+              ((> (straightness (car rest)) (* 1.001 (straightness m))) (loop (car rest) (cdr rest)))
+              (else (loop m (cdr rest))))))))
+
+; Returns a contour interrupted by its height, as a list of curves; a short contour alone.
+(define (%labelled-contour curve size)
+  (let* ((z (cz (curve-point curve 0))) (text (%height-text z)) (width (* size (+ 1 (/ (%stroke-width text) 8)))) (l (curve-length curve)))
+    (if (< l (* 3 width))
+        (list curve)
+        (let* ((place (%text-place curve width)) (p (curve-point curve (car place))) (q (curve-point curve (cdr place)))
+               (back? (or (< (cx q) (- (cx p) 1e-9)) (and (<= (abs (- (cx q) (cx p))) 1e-9) (< (cy q) (cy p)))))
+               (d (unitize (if back? (p->q q p) (p->q p q))))
+               (at (p+v (mid p q) (v*r (vxyz (cy d) (- (cx d)) 0) (/ size 2))))
+               (ends (list (cons 0 (car place)) (cons (cdr place) l)))
+               (lines (if (%closed-curve? curve)
+                          (list (make-line (append (%curve-points curve (cdr place) l) (cdr (%curve-points curve 0 (car place))))))
+                          (map (lambda (e) (make-line (%curve-points curve (car e) (cdr e)))) ends)))
+               (name (object-layer curve)))
+          (map (lambda (o) (if name (layer name o) o))
+               (append lines (list (engrave text size #:at at #:angle (pol-phi d) #:align 'centre))))))))
+
+; Returns contours as `contours` returns them; each n-th is interrupted by its height, in letters of single lines.
+(define (label-contours lines size #:every [every-nth any? 5])
+  (if (not (and (list? lines) (every (lambda (l) (and (list? l) (every (lambda (c) (and (object? c) (curve? c))) l))) lines)))
+      (error 'label-contours "lines must be a list of lists of curves, as contours returns them, got ~s" lines))
+  (%need-positive 'label-contours 'size size)
+  (%need-count 'label-contours 'every every-nth 10000)
+  (define (height level) (cz (curve-point (car level) 0)))
+  (let* ((heights (map height (filter pair? lines)))
+         (step (if (or (null? heights) (null? (cdr heights))) 0 (apply min (map - (cdr heights) heights)))))
+    (define (main? z)
+      (or (<= step 0) (let ((i (/ z step every-nth))) (< (abs (- i (round i))) 1e-6))))
+    (map (lambda (level)
+           (if (and (pair? level) (main? (height level))) (append-map (lambda (c) (%labelled-contour c size)) level) level))
+         lines)))
+
 ; ---- slices ----
 
 ; Returns the name of the layer in which the whole object is, or #f; the innermost wins.

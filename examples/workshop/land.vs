@@ -27,16 +27,11 @@
 (define-values (cut fill) (cut-and-fill land place))
 (printf "cut ~a, fill ~a cubic metres~%" (round cut) (round fill))
 
-; contours: each fifth on a layer of its own, with its height at the middle
-(define first-height (* step (ceiling (/ (cz (first (bounding-box land))) step))))
-(define lines (contours land #:from first-height #:step step))
-(for ([curves lines] [i (in-naturals)])
-  (define z (+ first-height (* i step)))
-  (define main? (zero? (modulo (round (/ z step)) 5)))
-  (for ([c curves] #:when (> (curve-length c) 12))
-    (draw (if main? (layer "main contours" c #:line 0.35) (layer "contours" c #:line 0.13)))
-    (when main?
-      (label (curve-point c (/ (curve-length c) 2)) (number->string (if (integer? z) (exact z) z)) #:view "site"))))
+; contours: each fifth on a layer of its own, with its height
+(for ([curves (label-contours (contours land #:step step) 1.6)])
+  (define (main? c) (zero? (modulo (round (/ (cz (first (bounding-box c))) step)) 5)))
+  (for ([c curves])
+    (draw (if (main? c) (layer "main contours" c #:line 0.35) (layer "contours" c #:line 0.13)))))
 
 (draw (layer "road" (make-line (edge -2.5)) (make-line (edge 2.5))))
 (draw (layer "house" (do-edges place) #:line 0.5))

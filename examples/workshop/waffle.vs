@@ -20,9 +20,7 @@
   (ribs bench #:x across #:y along #:thickness thickness #:clearance 0.3 #:placed (not flat)))
 
 ; a rib in place is as thick as the board
-(define (board part direction)
-  (define (region-of o) (if (region? o) o (region-of (first (object-children o)))))
-  (do-move (do-extrude (region-of part) (v*r direction thickness)) (v*r direction (/ thickness -2))))
+(define (board part) (do-thicken (part-region part) thickness))
 
 (if flat
     (begin
@@ -31,6 +29,5 @@
       (for ([p ribs-along] [i (in-naturals)]) (draw (do-move p (vxyz 1700 (* 480 i) 0))))
       (view "parts" 'top #:sheet 'none))
     (begin
-      (draw (with-material wood
-              (append (map (lambda (p) (board p ux)) ribs-across) (map (lambda (p) (board p uy)) ribs-along))))
+      (draw (with-material wood (map board (append ribs-across ribs-along))))
       (view-from 'iso)))

@@ -57,3 +57,14 @@
 (for ([row rows] #:when (region? (cdr row)))
   (let ((alone (box-size (placed dot) (placed (cdr row)))) (both (box-size (placed (unite dot (cdr row))))))
     (if (> both (* 1.0001 alone)) (printf "~a: a box of ~a, not ~a~%" (car row) both alone))))
+; the region of slices, ribs and nets; heights in contours
+(define cone (make-cone origin (xyz 0 0 9) 6))
+(displayln (map (lambda (s) (= (area s) (area (part-region s)))) (append (slices cone 3) (unfold (make-box origin (xyz 1 2 3)) #:tabs 0.1)))) ; expect: (#t #t #t #t)
+(define level-lines (contours cone #:from 0.5 #:step 1/2))
+(define labelled (label-contours level-lines 0.5 #:every 4))
+(displayln (map length (take labelled 9)))               ; expect: (1 1 1 2 1 1 1 2 1)
+(displayln (map (lambda (c) (cz (first (bounding-box c)))) (list-ref labelled 3)))  ; expect: (2.0 2.0)
+(displayln (< (curve-length (first (list-ref labelled 3))) (- (curve-length (first (list-ref level-lines 3))) 0.5))) ; expect: #t
+(displayln (label-contours '() 1))                       ; expect: ()
+(define refused (guard (c (#t (condition/report-string c))) (do-thicken (first (slices cone 3)) 1)))
+(displayln (string-contains? refused "do-thicken: s must be a curve, a region or a flat surface, got (layer")) ; expect: #t
