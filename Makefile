@@ -89,8 +89,9 @@ named     = $(foreach f,$(1),vs_asset_$(subst -,_,$(subst .,_,$(notdir $(f)))) $
 $(BUILD)/assets.s: $(ASSETS) scripts/embed.sh
 	@$(EMBED) 1 $(call named,$(ASSETS)) > $@
 
+# The playground serves no page: there these files are absent, and so empty.
 $(BUILD)/live_assets.s: $(LIVE_ASSETS) scripts/embed.sh
-	@$(EMBED) 1 $(call named,$(LIVE_ASSETS)) > $@
+	@$(EMBED) 1 $(call named,$(addprefix $(if $(findstring emcc,$(CC)),absent/),$(LIVE_ASSETS))) > $@
 
 $(BUILD)/live_assets.o: $(BUILD)/live_assets.s
 	$(call say,as    $<)
@@ -257,7 +258,8 @@ test: ## install what the tests need, build, run them: of long ones a sample
 
 check: ## as test, and the long ones whole: every shape in every variant; SEEDS=FROM-TO: the kernel's random trees of these seeds, in place of 1-3000
 	BUILD=$(BUILD) sh scripts/install.sh build workers tests check
-	$(MAKE) $(TESTED) LONG=1 tested
+	-$(MAKE) playground
+	PLAYGROUND=$(abspath $(BUILD))/playground $(MAKE) $(TESTED) LONG=1 tested
 	$(MAKE) sanitized
 
 fresh: ## the two commands on a bare Debian bookworm made by debootstrap (root): what a stranger's machine needs, in seconds and MB
@@ -369,5 +371,7 @@ clean: ## remove what was built
 help: ## list the targets
 	@awk -F ':.*## ' '/^help:.*## / { first = sprintf("make %-9s %s\n", $$1, $$2) } /^[a-z]+:.*## / && !/^help:/ { rest = rest sprintf("make %-9s %s\n", $$1, $$2) } END { printf "%s%s", first, rest }' Makefile
 
-.PHONY: all objects demo test check fresh units tools tests tested quick asan ubsan tsan static sanitized fuzz fuzzers coverage stress layers bless bench manual gallery install uninstall dist deb clean help
+include playground/rules.mk
+
+.PHONY: playground all objects demo test check fresh units tools tests tested quick asan ubsan tsan static sanitized fuzz fuzzers coverage stress layers bless bench manual gallery install uninstall dist deb clean help
 -include $(OBJECTS:.o=.d) $(BUILD)/obj/scripts/stage0.d $(UNIT_BIN:=.d)

@@ -546,7 +546,7 @@ bool live_server_open(live_server *s) {
     fprintf(stderr, "vs: no random numbers for the live view's token\n");
     return false;
   }
-  if (vs_asset_live_js_end - vs_asset_live_js < 1000) {
+  if (vs_asset_live_js_end - vs_asset_live_js < 1000 && s->publish->alone == NULL) {
     fprintf(stderr,
             "vs: this vs was built without the live view's page: run `npm ci --ignore-scripts` and build again\n");
     return false;

@@ -17,7 +17,7 @@ set -u
 cd "$(dirname "$0")/.." || exit 1
 [ "${1:-}" = --suite ] || BUILD=${1:-build}
 case $BUILD in /*) ;; *) BUILD=$PWD/$BUILD ;; esac
-SUITES=${SUITES:-unit lang javascript cli shell editors format lsp mcp desk prompt keys signals manual bad workers cross texts slips solids embed install release limits layers compilers${LONG:+ page live determinism}}
+SUITES=${SUITES:-unit lang javascript cli shell editors format lsp mcp desk prompt keys signals manual bad workers cross texts slips solids embed install release limits layers compilers${LONG:+ page live playground determinism}}
 export BUILD ONLY="${ONLY:-}" BLESS="${BLESS:-}" LONG="${LONG:-}" LC_ALL=C.UTF-8
 . tests/limited.sh
 work=$(mktemp -d) || exit 1
@@ -62,6 +62,7 @@ suite_manual()    { sh tests/manual.sh; }
 suite_workers()   { sh "tests/workers/$1"; }
 suite_page()      { sh tests/page.sh; }
 suite_live()      { sh tests/live.sh; }
+suite_playground() { sh tests/playground.sh; }
 suite_cross()     { sh tests/cross.sh; }
 suite_texts()     { sh tests/texts.sh; }
 suite_slips()     { sh tests/slips.sh; }

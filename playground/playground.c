@@ -1,0 +1,55 @@
+/* The program of the playground: a live view of one model in a file of the page, without threads. A worker of the page
+ * calls the functions marked as kept. */
+#include <emscripten.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/study.h"
+#include "live/live.h"
+#include "live/serve.h"
+#include "playground/message_server.h"
+
+/* The one view, which the functions called from JavaScript have no other way to find. */
+static live_options options;
+static live_follower *view;
+static volatile sig_atomic_t ended;
+
+EM_JS(void, playground_answer,
+      (int id, unsigned status, const char *type, const void *bytes, size_t count, bool open), {
+  Module.answer(id, status, UTF8ToString(type), HEAPU8.slice(bytes >>> 0, (bytes >>> 0) + (count >>> 0)), !!open);
+})
+EM_JS(void, playground_part, (int id, const void *bytes, size_t count), {
+  Module.part(id, HEAPU8.slice(bytes >>> 0, (bytes >>> 0) + (count >>> 0)));
+})
+
+/* Opens the view of a file. Returns false after a message on standard error. The memory limit of a program is that of
+ * the page: an allocation beyond it fails, and the program ends with an error. */
+EMSCRIPTEN_KEEPALIVE bool playground_open(const char *model) {
+  static char *path; /* a copy, which the view uses until it is closed */
+  if (view != NULL) live_alone_close(view);
+  free(path);
+  path = strdup(model);
+  view = NULL;
+  if (path == NULL) return false;
+  options = (live_options){ .model = path, .interpreter = vs_options_default(), .output = vs_output_options_default(),
+                            .ended = &ended, .check = cli_study_check_text, .send = playground_pump };
+  view = live_alone_open(&options);
+  return view != NULL;
+}
+
+EMSCRIPTEN_KEEPALIVE void playground_run(void) { live_alone_run(view); }
+
+EMSCRIPTEN_KEEPALIVE bool playground_turn(void) {
+  bool frames = live_alone_turn(view);
+  playground_pump();
+  return frames;
+}
+
+EMSCRIPTEN_KEEPALIVE void playground_request(int id, const char *method, const char *path, const char *query,
+                                             const char *body, size_t size) {
+  const live_server *server = live_alone_server(view);
+  message m = { id, method, path, query, body, size, server->hosts[0], server->token };
+  playground_ask(&m);
+  playground_pump();
+}
