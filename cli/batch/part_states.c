@@ -8,11 +8,11 @@
 
 #include "model/store/array.h"
 
-enum { PATH_ROOM = 4096, KILLED = 137 /* the code of a run that a signal ended */ };
+enum { PATH_ROOM = 4096 };
 
 cli_part_state cli_part_state_of(int code) {
-  return code == VS_OUTCOME_DONE ? PART_DONE
-         : code == VS_OUTCOME_WORKER || code == VS_OUTCOME_INTERRUPTED || code >= KILLED ? PART_KILLED : PART_FAILED;
+  bool same = code == VS_OUTCOME_MODEL || code == VS_OUTCOME_MACHINE; /* the next run would end in the same way */
+  return code == VS_OUTCOME_DONE ? PART_DONE : same ? PART_FAILED : PART_KILLED;
 }
 
 size_t cli_part_states_count(const cli_part_states *p, cli_part_state state) {

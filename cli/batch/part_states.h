@@ -5,7 +5,8 @@
 
 #include "cli/options.h"
 
-/* PART_KILLED: a signal or a worker has ended the run, so that another may succeed. PART_FAILED: another would not. */
+/* PART_KILLED: a signal, a worker or a full disk has ended the run, so that another may succeed. PART_FAILED: the model
+ * or a limit has, so that another would not. */
 typedef enum { PART_MISSING, PART_DONE, PART_KILLED, PART_FAILED } cli_part_state;
 typedef struct cli_part_states {
   cli_part_state *at; size_t count; /* the states of the parts 1 to count, allocated */

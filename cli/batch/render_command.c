@@ -909,8 +909,8 @@ static void recall_failures(batch *b) {
 
 /* Runs the models, and makes the pictures. Returns false after a message if an output is an input. */
 static bool make_all(batch *b) {
-  if (!try_models(b)) return false;
   if (b->options->keep_failed) recall_failures(b);
+  if (!try_models(b)) return false;
   expose_films(b, b->ended);
   share_scenes(b);
   run_all(b, b->ended, make);
@@ -946,6 +946,7 @@ vs_outcome cli_render_command(const cli_options *o, const volatile sig_atomic_t 
   else if (!b.inputs) no_memory();
   else {
     outcome = VS_OUTCOME_USAGE;
+    int watches = cli_inputs_find();
     b.told = cli_inputs_begin();
     share_processors(&b);
     if (make_folder(o)) {
@@ -957,6 +958,9 @@ vs_outcome cli_render_command(const cli_options *o, const volatile sig_atomic_t 
       if (ranged) b.manifest_path = own;
       if (ok && prepare(&b)) outcome = run_batch(&b);
     }
+    cli_inputs_hear(b.told, b.inputs);
+    cli_inputs_tell(watches, b.inputs);
+    if (watches >= 0) close(watches);
   }
   for (size_t i = 0; i < b.count; i++) {
     picture *p = &b.at[i];

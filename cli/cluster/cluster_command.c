@@ -153,6 +153,8 @@ static vs_outcome run_here(job_record *r, const cli_options *o, vs_outcome (*her
 
 static vs_outcome submit(job_record *r, const cli_options *o, const volatile sig_atomic_t *ended) {
   bool given = o->cluster.time && o->cluster.memory;
+  char path[JOB_PATH_ROOM];
+  job_record_path(r, JOB_NODES, path), remove(path);
   int code = VS_OUTCOME_DONE;
   size_t first = given ? 0 : 1;
   if (!given && !measure(r, ended, &code)) return (vs_outcome)code;

@@ -80,21 +80,26 @@ static void put_quoted(FILE *to, const char *word) {
   fputc('\'', to);
 }
 
-/* A run that Slurm has started again keeps failures of the model, which would come again. */
+/* A run that Slurm has started again keeps failures of the model, which would come again. The script records a node on
+ * which a worker or a disk has failed. */
 static void put_bundles(FILE *to, const job_record *r) {
   fprintf(to, "#!/bin/sh\n# Written by vs: makes the parts of one bundle.\ncase ${1:-$SLURM_ARRAY_TASK_ID} in\n");
   for (size_t i = 0; i < r->bundle_count; i++)
     fprintf(to, "%zu) only=%ld..%ld ;;\n", i + 1, r->bundles[i].from, r->bundles[i].to);
   fputs("esac\nagain=\n[ \"${SLURM_RESTART_COUNT:-0}\" = 0 ] || again=--keep-failed\ncd", to);
   put_quoted(to, r->directory);
-  fputs(" || exit 4\nexec", to);
+  fputs(" || exit 4\n", to);
   put_quoted(to, r->program);
   size_t cpus = r->cpus ? r->cpus : 1;
   bool sweeps = !strcmp(r->command, "sweep");
   fprintf(to, " %s --only \"$only\" --keep-going $again --jobs %zu --threads %zu", r->command, sweeps ? cpus : 1,
           sweeps ? 1 : cpus);
   for (size_t i = 0; i < r->part_count; i++) put_quoted(to, r->part[i]);
-  fputc('\n', to);
+  char path[JOB_PATH_ROOM];
+  job_record_path(r, JOB_NODES, path);
+  fputs("\ncode=$?\ncase $code in\n2|3) [ -z \"${SLURMD_NODENAME:-}\" ] || echo \"$SLURMD_NODENAME\" >>", to);
+  put_quoted(to, path);
+  fputs(" ;;\nesac\nexit $code\n", to);
 }
 
 static void put_join(FILE *to, const job_record *r) {

@@ -41,6 +41,8 @@ void job_record_free(job_record *r);
  * message. */
 bool job_record_enter(job_record *r);
 
+/* The file for names of nodes on which a worker or a disk has failed. */
+#define JOB_NODES "failed-nodes"
 /* Writes the path of a file of the batch, such as bundles.sh, into path. */
 void job_record_path(const job_record *r, const char *name, char path[JOB_PATH_ROOM]);
 /* Locks the folder's jobs for this process. Returns a descriptor, whose end unlocks them; -1 after a message. */

@@ -144,6 +144,9 @@ static vs_outcome retry(run *w, const char *folder, batch *b) {
   r->attempt = 0;
   if (on_slurm(r)) {
     int lock = job_record_lock(r);
+    char path[JOB_PATH_ROOM];
+    job_record_path(r, JOB_NODES, path);
+    if (lock >= 0) remove(path);
     bool ok = lock >= 0 && job_submit_rest(r, w->ended);
     if (lock >= 0) close(lock);
     return ok ? VS_OUTCOME_DONE : VS_OUTCOME_USAGE;

@@ -68,20 +68,48 @@ static bool cancel(const char *id, const volatile sig_atomic_t *ended) {
   return code == 0 || fprintf(stderr, "vs: Slurm did not cancel job %s (scancel ended with %d)\n", id, code) < 0;
 }
 
+/* Writes the names of the nodes on which a bundle has failed, with commas between them. */
+static void list_nodes(const job_record *r, char *names, size_t room) {
+  char path[JOB_PATH_ROOM], *line = NULL, all[JOB_PATH_ROOM] = ",";
+  size_t line_room = 0;
+  job_record_path(r, JOB_NODES, path);
+  FILE *f = fopen(path, "rb");
+  while (f && getline(&line, &line_room, f) > 0) {
+    char name[300];
+    line[strcspn(line, "\n")] = 0;
+    if (snprintf(name, sizeof name, ",%.250s,", line) < 3 || strstr(all, name)) continue;
+    if (strlen(all) + strlen(name) < sizeof all) strcat(all, name + 1);
+  }
+  if (f) fclose(f);
+  free(line);
+  snprintf(names, room, "%.*s", (int)(strlen(all) > 1 ? strlen(all) - 2 : 0), all + 1);
+}
+
+/* Submits the bundles; not to the nodes in `avoid`, a list of names. Sets r->array. */
+static bool submit_bundles(job_record *r, call *c, const char *avoid, const volatile sig_atomic_t *ended) {
+  char array[64], path[JOB_PATH_ROOM];
+  begin(c, r, "parts"), put_limits(c, r);
+  snprintf(array, sizeof array, "1-%zu", r->bundle_count);
+  put(c, "--array=", array);
+  job_record_path(r, "bundle-%a.log", path), put(c, "--output=", path);
+  if (*r->first) put(c, "--dependency=afterok:", r->first), put(c, "", "--kill-on-invalid-dep=yes");
+  if (*avoid) put(c, "--exclude=", avoid);
+  const char *id = submit(r, c, "bundles.sh", ended);
+  r->array = id ? id : "";
+  return id != NULL;
+}
+
 bool slurm_submit(job_record *r, const volatile sig_atomic_t *ended) {
-  char array[64], path[JOB_PATH_ROOM], minutes[24];
+  char avoid[JOB_PATH_ROOM], path[JOB_PATH_ROOM], minutes[24];
   call *c = vs_zeros(1, sizeof *c);
   if (!c) return sweep_no_memory();
   r->array = r->join = "";
-  if (r->bundle_count) {
-    begin(c, r, "parts"), put_limits(c, r);
-    snprintf(array, sizeof array, "1-%zu", r->bundle_count);
-    put(c, "--array=", array);
-    job_record_path(r, "bundle-%a.log", path), put(c, "--output=", path);
-    if (*r->first) put(c, "--dependency=afterok:", r->first), put(c, "", "--kill-on-invalid-dep=yes");
-    r->array = submit(r, c, "bundles.sh", ended);
+  list_nodes(r, avoid, sizeof avoid);
+  bool ok = !r->bundle_count || submit_bundles(r, c, avoid, ended);
+  if (!ok && *avoid) {
+    fprintf(stderr, "vs: no other node than %s is there\n", avoid);
+    ok = submit_bundles(r, c, "", ended);
   }
-  bool ok = r->array != NULL;
   if (ok) {
     begin(c, r, "join");
     snprintf(minutes, sizeof minutes, "%zu", 30 + r->parts / 20);

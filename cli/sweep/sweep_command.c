@@ -19,6 +19,7 @@
 
 #include "cli/batch/inputs_told.h"
 #include "cli/batch/part_files.h"
+#include "cli/batch/part_states.h"
 #include "cli/sweep/row_choice.h"
 #include "cli/sweep/sweep_manifest.h"
 #include "cli/sweep/sweep_plan.h"
@@ -324,7 +325,7 @@ static void copy_result(sweep_table *t, sweep_part *p) {
 static bool keeps_failed(const sweep *w, sweep_part *p) {
   const cli_options *o = w->options;
   if (!w->manifest || !(o->keep_failed || o->join) || !sweep_manifest_failed(w->manifest, p)) return false;
-  if (o->join || (p->code != VS_OUTCOME_WORKER && p->code != SWEEP_KILLED)) return true;
+  if (o->join || cli_part_state_of(p->code) == PART_FAILED) return true;
   clear(p);
   return false;
 }
@@ -457,6 +458,7 @@ static vs_outcome run_sweep(sweep *w) {
 vs_outcome cli_sweep_command(const cli_options *o, const volatile sig_atomic_t *ended, int (*run)(cli_options *o)) {
   sweep w = {.options = o, .ended = ended, .run = run, .inputs = vs_new(&o->interpreter)};
   vs_outcome outcome = VS_OUTCOME_USAGE;
+  int watches = cli_inputs_find();
   long processors = sysconf(_SC_NPROCESSORS_ONLN);
   w.jobs = o->jobs ? o->jobs : processors > 1 ? (size_t)processors : 1;
   bool ok = w.inputs && VS_FRESH(w.runners, w.jobs) && VS_FRESH(w.polled, w.jobs);
@@ -471,6 +473,9 @@ vs_outcome cli_sweep_command(const cli_options *o, const volatile sig_atomic_t *
       if (!strchr(o->sets[i], '=')) vs_note_input(w.inputs, o->sets[i]);
     outcome = run_sweep(&w);
   }
+  if (w.manifest && w.inputs && watches >= 0) sweep_manifest_note_inputs(w.manifest, w.inputs);
+  if (w.inputs) cli_inputs_tell(watches, w.inputs);
+  if (watches >= 0) close(watches);
   sweep_manifest_close(w.manifest);
   sweep_plan_free(&w.plan);
   vs_free(w.inputs);
