@@ -28,6 +28,7 @@
 #include "cli/prompt/standard_output.h"
 #include "cli/batch/inputs_told.h"
 #include "cli/batch/render_command.h"
+#include "cli/batch/watch.h"
 #include "cli/cluster/cluster_command.h"
 #include "cli/cluster/jobs_command.h"
 #include "cli/command.h"
@@ -436,7 +437,6 @@ static vs_outcome run_batch(cli_session *c) {
         : o->command == CLI_COMMAND_test ? cli_test_run(c, run_file) : run_sources(c, false);
     if (outcome == VS_OUTCOME_DONE && o->parameters) cli_report_parameters(stdout, c->scheme);
     if (o->command == CLI_COMMAND_sweep && outcome == VS_OUTCOME_DONE) cli_sweep_tell(o->results, c->scheme);
-    if (o->command == CLI_COMMAND_sweep && outcome != VS_OUTCOME_DONE) cli_inputs_tell(c->told, c->scheme);
     if (o->command == CLI_COMMAND_profile && outcome != VS_OUTCOME_USAGE) { /* also of a run that was ended early */
       vs_outcome told = cli_profile(c);
       if (outcome == VS_OUTCOME_DONE) outcome = told;
@@ -537,6 +537,7 @@ static int run_session(cli_options *o, bool *told) {
     interrupted_by_signal = session.scheme;
     hear_signals();
     outcome = run_batch(&session);
+    cli_inputs_tell(session.told, session.scheme);
     if (o->verbose && outcome == VS_OUTCOME_MODEL) cli_report_calls(session.scheme, stderr);
     int code;
     if (vs_exit_requested(session.scheme, &code)) {
@@ -590,6 +591,16 @@ static int run_command(int argc, char **argv, bool *told) {
     vs_outcome outcome = view_model(&options);
     cli_options_free(&options);
     return (int)outcome;
+  }
+  if (options.watch) {
+    hear_signals();
+    int last = 0;
+    for (int i = 0; i < argc; i++)
+      if (strcmp(argv[i], "--watch") != 0) argv[last++] = argv[i];
+    argv[last] = NULL;
+    int code = cli_watch_files(&options, &interrupts, argv, run_words);
+    cli_options_free(&options);
+    return code;
   }
   if (options.command == CLI_COMMAND_render || options.command == CLI_COMMAND_sweep) {
     hear_signals();

@@ -757,7 +757,7 @@ static bool is_of_cluster(const char *word) {
 static bool is_of_batch(const char *word) {
   static const char *const own[] = {"output", "view", "all-views", "set", "jobs", "manifest", "sheet", "frames",
                                     "resume", "film", "quiet", "threads", "sample", "seed", "where", "sort", "only",
-                                    "tiles", "retries", "join", "keep-going", "keep-failed"};
+                                    "tiles", "retries", "join", "keep-going", "keep-failed", "watch"};
   if (word[1] != '-') return strchr("oqj", word[1]) != NULL;
   return is_one_of(word, own, sizeof own / sizeof *own) || is_of_cluster(word);
 }
@@ -765,7 +765,8 @@ static bool is_of_batch(const char *word) {
 /* Keeps the words from `from` to `to` for runs elsewhere: an option that concerns processes for none, one that needs
  * all parts for the run of all, and others for both. */
 static void keep_words(cli_options *o, char **argv, int from, int to) {
-  static const char *const here[] = {"jobs", "threads", "quiet"}, *const all[] = {"film", "sheet", "where", "sort"};
+  static const char *const here[] = { "jobs", "threads", "quiet", "watch" }, *const all[] = { "film", "sheet", "where",
+                                                                                              "sort" };
   const char *word = argv[from];
   bool option = word[0] == '-' && word[1] && strcmp(word, "--") != 0, named = option && word[1] == '-';
   if (option && !named && strchr("qj", word[1])) return;
@@ -817,6 +818,17 @@ static bool cluster_fits(const cli_options *o) {
     wrong = "--on needs parts: --frames of a film, or --tiles of a picture";
   if (!wrong) return true;
   fprintf(stderr, "vs%s%s: %s\n", batch ? " " : "", batch ? commands[o->command - 1].name : "", wrong);
+  return false;
+}
+
+/* Returns true if the command can run again without a person. Otherwise prints a message. */
+static bool watch_fits(const cli_options *o) {
+  bool stdin_read = false;
+  for (size_t i = 0; i < o->source_count; i++) stdin_read = stdin_read || !strcmp(o->sources[i].text, "-");
+  bool again = o->command == CLI_COMMAND_render || o->command == CLI_COMMAND_sweep || o->command == CLI_COMMAND_test ||
+               (o->command == CLI_COMMAND_NONE && o->target_count > 0 && !o->interactive);
+  if (again && !stdin_read && !o->cluster.on) return true;
+  fputs("vs: --watch is for vs FILE -o OUT, vs render, vs sweep and vs test, with files and without --on\n", stderr);
   return false;
 }
 
@@ -915,7 +927,7 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     fprintf(stderr, "vs: --only %s: expected numbers of frames, at most 1..%ld\n", o->only, o->frames.count);
     return CLI_BAD_USAGE;
   }
-  if (!cluster_fits(o)) return CLI_BAD_USAGE;
+  if (!cluster_fits(o) || (o->watch && !watch_fits(o))) return CLI_BAD_USAGE;
   if (o->tiles.columns && !tiles_fit(o)) return CLI_BAD_USAGE;
   if (o->film && o->only) {
     fputs("vs render: --film needs all frames: give it without --only, when all parts are done\n", stderr);

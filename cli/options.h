@@ -82,6 +82,7 @@ typedef struct {
   const char **whole, **part; size_t whole_count, part_count;
   cli_cluster cluster;                 /* the options about clusters */
   size_t retries;                      /* number of further runs of a part that was killed, or whose worker failed */
+  bool watch;                          /* whether the command runs again when a file changes */
   bool join, keep_going, keep_failed;  /* vs render, vs sweep: whether these options are given */
   size_t jobs;                         /* vs render: number of processes by --jobs; 0 if not given */
   int results;                         /* vs test, vs sweep: in the process of a run, the pipe for its results */
