@@ -1,0 +1,159 @@
+# Tests --on slurm and vs jobs on a cluster of three nodes that this script starts and stops: Debian's munge and Slurm in
+# a private folder. Where namespaces are allowed, each node is a machine with a network and processes of its own, so that
+# it can be killed. LONG=1: a film of 200 frames while a node dies, the controller restarts and a disk is full.
+. tests/report.sh
+
+wanted cluster || exit 0
+PATH=$PATH:/usr/sbin:/sbin
+for program in slurmctld slurmd sbatch munged; do
+  command -v $program > /dev/null || { echo "skip cluster: no $program (packages slurmctld, slurmd, slurm-client, munge)"; exit 0; }
+done
+cd "$work" || exit 1
+host=$(hostname -s) net=10.213.$(($$ % 250)) bridge=vsb$(($$ % 100000)) spaces=
+mkdir -m 700 munge && mkdir run state spool tmp && chmod 755 "$work"
+dd if=/dev/urandom of=munge/key bs=128 count=1 2> /dev/null; chmod 600 munge/key
+
+# ---- the cluster ----
+
+stop_all() {
+  for f in run/*.pid; do [ ! -f "$f" ] || kill "$(cat "$f")" 2> /dev/null; done
+  for n in 1 2 3; do [ ! -f run/node$n ] || kill -9 "$(cat run/node$n)" 2> /dev/null; done
+  [ -z "$spaces" ] || ip link del "$bridge" 2> /dev/null
+  sleep 1; cd /; rm -rf "$work"
+}
+trap stop_all EXIT
+trap 'exit 130' INT TERM
+
+if unshare --fork --pid --mount --net --mount-proc true 2> /dev/null && ip link add "$bridge" type bridge 2> /dev/null &&
+   ip addr add "$net.1/24" dev "$bridge" && ip link set "$bridge" up; then spaces=1; fi
+address() { [ "$spaces" ] && echo "$net.1$1" || echo 127.0.0.1; }
+ports=$((20000 + $$ % 20000))
+{
+  cat << CONF
+ClusterName=vs
+SlurmctldHost=$host($([ "$spaces" ] && echo "$net.1" || echo 127.0.0.1))
+SlurmUser=$(id -un)
+SlurmdUser=$(id -un)
+AuthType=auth/munge
+AuthInfo=socket=$work/run/munge.socket
+SlurmctldPort=$ports
+SlurmctldPidFile=$work/run/slurmctld.pid
+SlurmctldLogFile=$work/slurmctld.log
+SlurmdPidFile=$work/run/slurmd-%n.pid
+SlurmdSpoolDir=$work/spool/%n
+SlurmdLogFile=$work/slurmd-%n.log
+StateSaveLocation=$work/state
+ProctrackType=proctrack/linuxproc
+TaskPlugin=task/none
+SelectType=select/cons_tres
+SelectTypeParameters=CR_Core
+SchedulerParameters=sched_interval=2,bf_interval=2,batch_sched_delay=0
+AccountingStorageType=accounting_storage/none
+JobAcctGatherType=jobacct_gather/none
+ReturnToService=2
+MpiDefault=none
+SlurmdTimeout=10
+SlurmctldTimeout=10
+KillWait=2
+CONF
+  for n in 1 2 3; do echo "NodeName=n$n NodeHostname=$host NodeAddr=$(address $n) Port=$((ports + n)) CPUs=1 RealMemory=2000"; done
+  echo "PartitionName=all Nodes=n[1-3] Default=YES MaxTime=INFINITE State=UP"
+} > slurm.conf
+export SLURM_CONF="$work/slurm.conf"
+
+# Starts node n$1. In a namespace its process 1 is this shell: when that is killed, all processes of the node are.
+start_node() {
+  mkdir -p "spool/n$1"
+  if [ -z "$spaces" ]; then slurmd -N "n$1"; return; fi
+  unshare --fork --pid --mount --net --mount-proc --kill-child sh -c '
+    until ip link set eth0 up 2> /dev/null; do sleep .05; done
+    ip addr add '"$(address "$1")"'/24 dev eth0; ip link set lo up
+    [ '"$1"' != 3 ] || [ ! -f '"$work"'/small ] || { mount -t tmpfs -o size=4k full '"$work"'/tmp && cp /bin/sh '"$work"'/tmp/ 2> /dev/null; }
+    exec slurmd -D -N n'"$1" > /dev/null 2>&1 &
+  echo $! > "run/node$1"
+  for i in $(seq 100); do inside=$(ps -o pid= --ppid "$!" | tr -d ' '); [ "$inside" ] && break; sleep .05; done
+  ip link add "v$bridge$1" type veth peer name eth0 netns "$inside" && ip link set "v$bridge$1" master "$bridge" up
+}
+kill_node() { kill -9 "$(cat "run/node$1")"; rm "run/node$1"; }
+start_controller() { slurmctld > /dev/null 2>&1; }
+
+munged --force --key-file="$work/munge/key" --socket="$work/run/munge.socket" --pid-file="$work/run/munged.pid" \
+  --log-file="$work/munge/log" --seed-file="$work/munge/seed" 2> munge/said || { echo "skip cluster: munged does not start: $(tail -n 1 munge/said)"; exit 0; }
+start_controller
+[ -z "$LONG" ] || touch small
+for n in 1 2 3; do start_node $n; done
+for i in $(seq 100); do [ "$(sinfo -h -t idle -o %D 2> /dev/null)" = 3 ] && break; sleep .2; done
+if [ "$(sinfo -h -t idle -o %D)" != 3 ]; then echo "not ok cluster: the nodes do not start"; sinfo; tail -n 3 slurm*.log; exit 0; fi
+jobs_left() { squeue -h | wc -l; }
+
+# ---- a sweep: bundles, a part that always fails, two submissions, cancelling and repeating ----
+
+: > why
+cat > part.vs << 'MODEL'
+(define-parameter n 1)
+(when (= n 7) (car 0))
+(report "volume" (* n n))
+(draw (make-box origin (xyz n n 1)))
+MODEL
+sweep() { "$vs" sweep part.vs --set n=1..12:1 --format stl "$@"; }
+sweep -q -o plain/ 2> /dev/null
+sweep -o out/ --on slurm --bundle 3 > said 2>> why || { echo "the submission ended with $?"; cat said; } >> why
+grep -q '^out: 12 parts in 4 bundles submitted as job [0-9]*, and the join as job [0-9]*$' said || cat said >> why
+sweep -q -o out/ --on slurm --time 5 --memory 100 2> refused; [ $? = 2 ] && grep -q 'jobs of Slurm already' refused || { echo "a second submission:"; cat refused; } >> why
+"$vs" jobs | grep -q '^out: vs sweep --on slurm: .* of 12 parts done, .*wait' || { echo 'vs jobs shows'; "$vs" jobs; } >> why
+limited 300 "$vs" jobs wait -q out; code=$?; [ $code = 1 ] || echo "the batch ended with $code" >> why
+for f in plain/*.stl; do cmp "$f" "out/${f#plain/}"; done >> why 2>&1
+sed 's/plain/out/' plain/results.csv | cmp - out/results.csv >> why 2>&1
+made() { cat "$1"/jobs/bundle-*.log said | sed -n 's/^\(.*\): made in.*/\1/p' | sort | uniq -c | awk '{ print $1 }' | sort | uniq -c | xargs; }
+[ "$(made out)" = '11 1' ] || echo "parts were made: $(made out)" >> why
+[ "$(grep -h 'n=7: failed' out/jobs/bundle-*.log | wc -l)" = 1 ] || echo "the part that fails was tried again" >> why
+"$vs" jobs retry out | grep -q 'no part is left' || echo "vs jobs retry repeats a failed part" >> why
+result cluster:sweep why
+
+: > why
+echo '(define-parameter n 1) (define (spin) (if (file-exists? "go") 0 (spin))) (when (> n 1) (spin)) (draw (make-box origin (xyz n 1 1)))' > slow.vs
+"$vs" sweep slow.vs --set n=1..6:1 --format stl -o slow/ --on slurm --bundle 1 > said 2>> why
+for i in $(seq 300); do [ "$(squeue -h -t R | wc -l)" = 3 ] && break; sleep .1; done
+"$vs" jobs cancel slow > said 2>> why; grep -q '1 of 6 parts are done' said || cat said >> why
+for i in $(seq 100); do [ "$(jobs_left)" = 0 ] && break; sleep .2; done
+[ "$(jobs_left)" = 0 ] || { echo "jobs are left"; squeue; } >> why
+touch go; "$vs" jobs | grep -q '1 of 6 parts done, 5 left: vs jobs retry slow' || "$vs" jobs >> why
+"$vs" jobs retry slow > said 2>> why; limited 300 "$vs" jobs wait -q slow || echo "it ended with $?" >> why
+[ "$(ls slow/*.stl | wc -l)" = 6 ] && [ "$(grep -c done slow/results.csv)" = 6 ] || { ls slow; cat slow/jobs/*.log; } >> why
+result cluster:cancel why
+[ "$LONG" ] || exit 0
+
+# ---- 200 frames: node n2 dies, the disk of n3 is full, the controller restarts, frame 50 always fails ----
+
+if [ -z "$spaces" ]; then echo "skip cluster:film: no namespaces of networks and processes here"; exit 0; fi
+command -v povray > /dev/null || { echo "skip cluster:film: no povray (package povray)"; exit 0; }
+: > why
+export TMPDIR="$work/tmp"
+echo '(define-parameter t 0) (when (= t 50) (car 0)) (draw (make-box origin (xyz 1 1 (+ 1 (/ t 100)))))' > film.vs
+film() { "$vs" render film.vs --frames 200,t=1..200 --size 8x6 --quality draft "$@"; }
+done_now() { "$vs" jobs --json "$1" | sed -n 's/.*"done": \([0-9]*\).*/\1/p'; }
+until_done() { for i in $(seq 900); do [ "$(done_now film)" -ge "$1" ] && return; sleep .5; done; echo "not $1 frames in time" >> why; }
+film -o film/ --on slurm --bundle 8 --time 30 --memory 500 > said 2>> why || cat said >> why
+until_done 30; kill_node 2
+until_done 60; kill "$(cat run/slurmctld.pid)"; sleep 3; start_controller
+limited 1800 "$vs" jobs wait -q film; code=$?; [ $code = 1 ] || echo "the film ended with $code" >> why
+[ "$(ls film/film-*.png | wc -l)" = 199 ] && [ ! -e film/film-050.png ] || echo "$(ls film/film-*.png | wc -l) frames are there" >> why
+frames() { cat film/jobs/bundle-*.log film/jobs/first.log | grep -o "film-[0-9]*.png: $1" | sort | uniq -c; }
+[ "$(frames 'made' | wc -l)" = 199 ] && [ "$(frames 'made' | awk '$1 != 1' | wc -l)" = 0 ] || { echo "frames were made:"; frames made | awk '$1 != 1'; } >> why
+[ "$(frames failed | grep -c 050)" = 1 ] && [ "$(frames failed | awk '/050/ { print $1 }')" = 1 ] || { echo "frame 50 failed:"; frames failed | grep 050; } >> why
+grep -q n3 film/jobs/failed-nodes || echo "no frame met the full disk" >> why
+grep -q 'requeue job .* due to failure of node n2' slurmctld.log || echo "no bundle was on the node that died" >> why
+find film -name '*.part*' -o -name '*.light.*' | sed 's/^/left behind: /' >> why
+[ "$(grep -o '"exposure": [-0-9.]*' film/manifest.json | sort -u | wc -l)" = 1 ] || echo "exposures differ" >> why
+film -q --only 1..3 -o own/ 2>> why; film -q --only 198..200 -o own/ 2>> why
+for f in own/*.png; do cmp "$f" "film/${f#own/}"; done >> why 2>&1
+film -o film/ 2> /dev/null | grep -c 'up to date' | grep -q '^49$' || echo "frames were made again" >> why
+result cluster:film why
+
+: > why
+echo '(draw (make-sphere origin 1) (make-box (xyz -3 -3 -2) (xyz 3 3 -1)))' > large.vs
+large() { "$vs" render large.vs --size 480x270 --quality draft --exposure 0 "$@"; }
+large -o large/ --tiles 4x4 --on slurm --bundle 4 --time 30 --memory 1000 > said 2>> why || cat said >> why
+limited 1800 "$vs" jobs wait -q large || { echo "the tiles ended with $?"; tail -n 5 large/jobs/*.log; } >> why
+large -q -o whole.png 2>> why; cmp whole.png large/large.png >> why 2>&1
+result cluster:tiles why
