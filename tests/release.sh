@@ -39,13 +39,13 @@ cmp "$work/here/columns.stl" "$work/there/columns.stl" >> "$work/why" 2>&1
 cat "$work/called" >> "$work/why" 2> /dev/null
 result release/job "$work/why"
 
-# The packages of Debian: without a fault that lintian knows, and tried in bare machines.
+# The packages of Debian: without a fault that lintian knows, and tried in a bare machine.
 if ! command -v dpkg-buildpackage > /dev/null || ! command -v dh > /dev/null; then echo "skip release/deb: no dpkg-buildpackage or debhelper"; exit; fi
 sh scripts/deb.sh "$work/first" "$version" > "$work/why" 2>&1 && : > "$work/why"
 result release/deb "$work/why"
 if command -v lintian > /dev/null; then lintian --allow-root "$work"/first/deb/*.changes > "$work/why" 2>&1; result release/lintian "$work/why"
 else echo "skip release/lintian: no lintian"; fi
-for suite in bookworm noble; do
+for suite in bookworm; do
   if [ "$(id -u)" != 0 ] || ! command -v debootstrap > /dev/null; then echo "skip release/$suite: no root or no debootstrap"
   else
     BUILD= VS=$vs sh scripts/deb_trial.sh "$work/first" "$version" $suite > "$work/why" 2>&1; status=$?
