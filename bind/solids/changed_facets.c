@@ -9,6 +9,7 @@
 #include "bind/origins.h"
 #include "bind/queries.h"
 #include "bind/shapes/taken_apart.h"
+#include "bind/warnings.h"
 #include "geometry/shapes/decimation.h"
 #include "geometry/shapes/smoothing.h"
 
@@ -22,13 +23,19 @@ static vs_status change_parts(vs_args *f, change_fn *change, vs_value *out) {
   if (!vs_bend_take_apart(f->vm, f->arg[0].ref, NULL, &leaves)) return VS_ERROR;
   vs_ref *refs = vs_bind_scratch(f, (leaves.count + 1) * sizeof *refs);
   bool ok = refs != NULL;
+  size_t gone = 0;
   for (size_t i = 0; ok && i < leaves.count; i++) {
     vs_bend_leaf *l = &leaves.at[i];
     ok = change(f, l) && vs_bend_solid(f->vm, &l->mesh);
+    if (ok && !l->mesh.triangle_count) gone++;
     refs[i] = (vs_ref){ ok ? vs_bend_node(f->store, l, &l->mesh) : NULL, vs_bind_origin(f->bind) };
     ok = ok && vs_bind_keep(f, refs[i].node);
   }
-  if (ok && leaves.count == 1) ok = vs_bind_give_node(f, vs_node_retain(refs[0].node), out);
+  if (ok && gone && gone < leaves.count)
+    vs_bind_warn(f->bind, "simplify", "simplify: %zu part%s than the tolerance and vanish%s", gone,
+                 gone > 1 ? "s of o are smaller" : " of o is smaller", gone > 1 ? "" : "es");
+  if (ok && gone && gone == leaves.count) ok = vs_bind_empty(f, "the tolerance is larger than o", out);
+  else if (ok && leaves.count == 1) ok = vs_bind_give_node(f, vs_node_retain(refs[0].node), out);
   else if (ok)
     ok = vs_bind_give_node(f, vs_node_new(f->store, VS_UNION, &(struct vs_union){ 0 }, refs, leaves.count), out);
   vs_bend_drop(&leaves);

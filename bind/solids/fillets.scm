@@ -264,8 +264,6 @@
     (for-each (lambda (e) (%check-edge who e)) chosen)
     (cons all chosen)))
 
-(define (%number-text x) (/ (floor (+ (* x 10000.) 1e-3)) 10000))
-
 (define (%work who kind o size all selected)
   (let* ((most (%largest kind all selected)) (at (%corners all (%edges-size all))))
     (if (> size (* (car most) (+ 1 1e-6)))
@@ -276,7 +274,8 @@
 ; Concave edges are filled first; then the convex edges of the result are found anew.
 (define (%worked who kind o size name edges)
   (let* ((o (%solid-given who 'o o)) (select (if edges (%selector who 'edges edges) (lambda (e) #t))) (found #f))
-    (%need-positive who name size)
+    (%need-positive-length who name size)
+    (if (not (empty-object? o)) (%need-visible who name size o))
     (define (step o convex)
       (let ((chosen (%chosen who o select convex)))
         (if (null? (cdr chosen))

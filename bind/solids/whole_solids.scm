@@ -7,6 +7,37 @@
     (if (not (and (object? o) (or (solid? o) (empty-object? o)))) (error who "~a must be a solid, got ~s" name x))
     (%drawn o)))
 
+; Returns the length of the diagonal of the box around o.
+(define (%size-of o) (let ((b (bounding-box o))) (distance (first b) (second b))))
+
+; Needs a length that is not too large for coordinates.
+(define (%need-length who name x)
+  (%need-number who name x)
+  (if (>= (abs x) 1e60) (error who "~a is too large: lengths must stay below 1e60, got ~a" name x)))
+(define (%need-positive-length who name x)
+  (%need-positive who name x)
+  (%need-length who name x))
+
+; Needs a length that changes a solid of this size: coordinates have 16 digits.
+(define (%need-visible who name x o)
+  (let ((least (* 1e-9 (%size-of o))))
+    (if (< (abs x) least) (error who "~a ~a is too small for o: the least is ~a" name x (%number-text least)))))
+
+; Needs a length beside which the solid is still seen, too.
+(define (%need-similar who name x o)
+  (%need-visible who name x o)
+  (let ((most (* 1e9 (%size-of o))))
+    (if (> (abs x) most) (error who "~a ~a is too large for o: the most is ~a" name x (%number-text most)))))
+
+; Returns a positive number with five digits, rounded down.
+(define (%number-text x)
+  (if (< 1e-300 x 1e300)
+      (let ((unit (expt 10. (- (floor (/ (log x) (log 10))) 4)))) ; divided where 10^n is exact
+        (if (< unit 1)
+            (let ((n (round (/ 1 unit)))) (/ (floor (+ (* x n) 1e-2)) n))
+            (* (floor (+ (/ x unit) 1e-2)) unit)))
+      x))
+
 ; ---- parts that do not touch ----
 
 ; Returns the union of a list of solids, or its one solid.
@@ -88,8 +119,8 @@
 (define (make-hole p v d depth #:counterbore [counterbore any? #f] #:countersink [countersink any? #f] #:segments [segments any? #f])
   (%need-point 'make-hole 'p p)
   (if (not (and (gvector? v) (> (vlength v) 0))) (error 'make-hole "v must be a gvector longer than 0, got ~s" v))
-  (%need-positive 'make-hole 'd d)
-  (%need-positive 'make-hole 'depth depth)
+  (%need-positive-length 'make-hole 'd d)
+  (%need-positive-length 'make-hole 'depth depth)
   (%need-segments 'make-hole segments)
   (let ((u (unitize v)))
     (define (at s) (p+v p (v*r u s)))
@@ -125,15 +156,16 @@
 ; The basic profile of ISO 68-1: flanks at 60 degrees, flat over an eighth of the pitch at the crest and a quarter at the
 ; root. The surface is a strip of four facets a pitch; turn follows turn.
 (define (thread d pitch length #:standard [standard any? 'metric] #:segments [segments any? #f])
-  (%need-positive 'thread 'd d)
-  (%need-positive 'thread 'pitch pitch)
-  (%need-positive 'thread 'length length)
+  (%need-positive-length 'thread 'd d)
+  (%need-positive-length 'thread 'pitch pitch)
+  (%need-positive-length 'thread 'length length)
   (%need-segments 'thread segments)
   (if (not (eq? standard 'metric)) (error 'thread "standard must be 'metric, got ~s" standard))
   (let* ((high (* (/ 5 8) (/ (sqrt 3) 2) pitch)) (r (/ d 2)) (root (- r high)) (n (or segments (%turn-facets r)))
-         (turns (+ 2 (exact (ceiling (/ length pitch))))) (rows (* n turns)))
+         (turns (+ 2 (ceiling (/ length pitch)))) (rows (* n turns)))
     (if (<= root 0) (error 'thread "d must exceed ~a, the threads' depth on both sides, got ~a" (* 2 high) d))
     (if (> rows 200000) (error 'thread "the thread has ~a turns of ~a facets, and 200000 facets are the most; give fewer #:segments" turns n))
+    (set! rows (exact rows))
     ; the four points of a pitch at row i, from the beginning of the root's flat upwards
     (let* ((step (/ pitch n)) (low (* -2 pitch))
            (radii (list root root r r)) (heights (map (lambda (k) (* k pitch)) '(0 1/4 9/16 11/16)))
@@ -176,10 +208,10 @@
 (define (emboss o region depth)
   (let ((o (%solid-given 'emboss 'o o)))
     (if (not (and (object? region) (region? region))) (error 'emboss "region must be a region, got ~s" region))
-    (%need-number 'emboss 'depth depth)
+    (%need-length 'emboss 'depth depth)
     (if (or (= depth 0) (empty-object? o))
         o
-        (let* ((n (%away-from o region)) (b (bounding-box (list o region))) (long (+ (* 2 (abs depth)) (* 2 (distance (first b) (second b)))))
+        (let* ((n (begin (%need-similar 'emboss 'depth depth o) (%away-from o region))) (b (bounding-box (list o region))) (long (+ (* 2 (abs depth)) (* 2 (distance (first b) (second b)))))
                (below (do-extrude region (v*r n (- long)))) ; from the region through o
                (moved (do-move o (v*r n depth))))
           (if (> depth 0)
@@ -245,7 +277,7 @@
 
 (define (text-on o string size)
   (if (not (string? string)) (error 'text-on "string must be a string, got ~s" string))
-  (%need-positive 'text-on 'size size)
+  (%need-positive-length 'text-on 'size size)
   (cond
     ((and (object? o) (curve? o)) (%text-on-curve o string size))
     ((and (object? o) (surface? o)) (%text-on-surface o string size))

@@ -49,6 +49,9 @@
 (displayln (list (surface? facade) (near? (area facade) (area (make-text origin 1 "facade")) 0.01))) ; expect: (#t #t)
 (displayln (near? (cz (first (bounding-box facade))) 1.5 0.05))                                  ; expect: #t
 (fails (text-on (make-line origin (xy 1 0)) "long" 1)) ; expect: text-on: the text is 2.9604 long, and the curve 1.0
-(fails (text-on wall "a" 9))  ; expect: text-on: the text is 7.5653 long and 9 high, and the surface 15.7051 and 4.0
+(fails (text-on wall "a" 9))  ; expect: text-on: the text is 7.5653 long and 9 high, and the surface 15.705 and 4.0
 (fails (text-on brick "a" 1)) ; expect: text-on: o must be a curve or a surface, got (make-box (xyz 0 0 0) (xyz 4 3 2))
 (fails (text-on wall 5 1))    ; expect: text-on: string must be a string, got 5
+; a tolerance larger than the solid, or than one of its parts
+(displayln (simplify brick 1e50))                                                                ; expect: (empty-object)
+; expect warning 56: simplify: the tolerance is larger than o: nothing is made (the empty object)

@@ -97,3 +97,10 @@
 (fails (do-fillet (make-sphere origin 1) 1/4)) ; expect: do-fillet: edges selects no edge of o
 (fails (do-fillet (make-cut-cone origin 2 (xyz 0 0 1) 1) 1/8))
 ; expect: do-fillet: the edge at (xyz -2 0 0) lies between curved faces; edges between planes, and circles around cylinders, can be worked
+; sizes that coordinates cannot show
+(fails (do-fillet brick 1e-300))  ; expect: do-fillet: r 1e-300 is too small for o: the least is 5.3851e-9
+(fails (do-chamfer brick 1e-300)) ; expect: do-chamfer: d 1e-300 is too small for o: the least is 5.3851e-9
+(fails (do-fillet brick 1e50))    ; expect: do-fillet: r 1e50 is too large at (xyz 2 0 0): the largest that fits there is 1.0
+(fails (do-fillet brick 1e300))   ; expect: do-fillet: r is too large: lengths must stay below 1e60, got 1e300
+; five digits of the largest size, of solids of any size
+(fails (do-fillet (do-scale brick 1e-6) 1)) ; expect: do-fillet: r 1 is too large at (xyz 0.000002 0 0): the largest that fits there is 0.000001

@@ -65,3 +65,12 @@
 (fails (do-draft (make-sphere origin 1) 0.1 'xy)) ; expect: do-draft: faces selects no face of o
 (fails (do-shell (make-irregular-pyramid (list (xy 0 0) (xy 4 0) (xy 3 2) (xy 0 1)) (xyz 1 1 2)) 0.1))
 ; expect: do-shell: the faces that meet at (xyz 1 1 2) do not meet in one point when they are moved
+; sizes far from that of the solid
+(fails (do-shell brick 1e-300))            ; expect: do-shell: t 1e-300 is too small for o: the least is 5.3851e-9
+(fails (do-shell brick 1e50))              ; expect: do-shell: t 1e50 is too large at (xyz 2 0 0): the largest that fits there is 1.0
+(fails (do-shell brick -1e50))             ; expect: do-shell: t -1e50 is too large for o: the most is 5385100000.0
+(fails (do-offset-solid brick 1e-300))     ; expect: do-offset-solid: d 1e-300 is too small for o: the least is 5.3851e-9
+(fails (do-offset-solid brick 1e300))      ; expect: do-offset-solid: d is too large: lengths must stay below 1e60, got 1e300
+; nothing remains inside: the empty object, with a warning
+(displayln (empty-object? (do-offset-solid brick -1)))                                           ; expect: #t
+; expect warning 75: do-offset-solid: nothing of o remains inside of the distance 1 (the empty object)
