@@ -79,6 +79,22 @@ static double grid_distance(const vs_mesh *m, uint32_t a, uint32_t b) {
   return vs_v3_dot(d, d);
 }
 
+/* Returns true if q comes before p by the coordinate in which they differ clearly. */
+static bool comes_before(vs_vec3 q, vs_vec3 p) {
+  double d[3] = { q.x - p.x, q.y - p.y, q.z - p.z }, most = fmax(fabs(d[0]), fmax(fabs(d[1]), fabs(d[2])));
+  int axis = 0;
+  while (axis < 2 && fabs(d[axis]) < 0.37 * most) axis++;
+  return d[axis] < 0;
+}
+
+bool vs_grid_cut(vs_vec3 low_p, vs_vec3 low_q, vs_vec3 high_p, vs_vec3 high_q) {
+  vs_vec3 across = vs_v3_sub(high_p, low_q), other = vs_v3_sub(high_q, low_p), edge = vs_v3_sub(low_q, low_p);
+  double a = vs_v3_dot(across, across), b = vs_v3_dot(other, other), equal = 1e-9 * fmax(a, b);
+  if (fabs(a - b) > equal) return a < b;
+  double bend = fabs(vs_v3_dot(vs_v3_cross(across, other), edge));
+  return bend > 1e-12 * pow(fmax(a, b), 1.5) && comes_before(low_q, low_p);
+}
+
 bool vs_grid_mesh(const vs_quad_grid *g, vs_mesh *out) {
   size_t n = g->columns, rows = g->rows + g->joined;
   uint32_t *index = vs_fresh(3 * n + 1, sizeof *index), *low = index, *high = index ? index + n : NULL,
@@ -105,6 +121,9 @@ bool vs_grid_mesh(const vs_quad_grid *g, vs_mesh *out) {
         size_t p = first + i, q = first + (i + 1 == g->sizes[l] ? 0 : i + 1);
         bool other = g->by_number && g->by_number[r - 1]
                          ? q < p
+                     : g->shared ? low[p] != low[q] && high[p] != high[q] &&
+                                       vs_grid_cut(out->vertices[low[p]], out->vertices[low[q]],
+                                                   out->vertices[high[p]], out->vertices[high[q]])
                          : low[p] != low[q] && high[p] != high[q] &&
                                grid_distance(out, low[q], high[p]) < grid_distance(out, low[p], high[q]) * (1 - 1e-9);
         ok = other ? grid_facet(out, low[p], low[q], high[p]) && grid_facet(out, low[q], high[q], high[p])

@@ -22,6 +22,8 @@ typedef struct {
                         * NULL: the plane is computed from the points of the row */
   const bool *by_number; /* If not NULL: direction of the diagonals of the cells between row r and the next.
                           * by_number[r] is true if they go from the lower column to the higher column. */
+  bool shared;         /* true if another grid may have the same cells, in the opposite order: diagonals of equal length
+                        * are then chosen by position */
   uint32_t *numbers;   /* If not NULL: receives the index of the vertex at each point, row by row. If the grid is
                         * joined, the vertices of the first row follow again at the end. */
 } vs_quad_grid;
@@ -30,6 +32,11 @@ typedef struct {
  * Neighbouring points at one position become one vertex, so poles and apexes are closed. A joined grid has common
  * vertices where its last row meets the first. Returns false when memory is out. */
 bool vs_grid_mesh(const vs_quad_grid *g, vs_mesh *out);
+
+/* Tests how the cell between the points p and q of two neighbouring rows is cut: returns true for the diagonal from the
+ * lower q to the higher p, which is then the shorter one. Equal diagonals of a cell that is not planar are chosen by
+ * position. The cut is then the same with q and p in the opposite order. low, high: the points of the rows. */
+bool vs_grid_cut(vs_vec3 low_p, vs_vec3 low_q, vs_vec3 high_p, vs_vec3 high_q);
 
 /* Loops of a row, one after another, in the coordinates of the row's plane. Outer loops are counter-clockwise, and each
  * hole follows the outer loop around it. */

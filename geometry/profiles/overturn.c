@@ -125,6 +125,8 @@ static bool divide(vs_swept *s, const parts *divided) {
   s->sections = fine;
   s->section_count = count;
   s->section_room = room;
+  free(s->stride); /* the rows are no longer equal steps */
+  s->stride = NULL;
   return true;
 }
 

@@ -16,7 +16,9 @@
 #include "geometry/plane/curve.h"
 #include "geometry/profiles/overturn.h"
 #include "geometry/profiles/revolve.h"
+#include "geometry/profiles/swept_mesh.h"
 #include "geometry/profiles/swept_path.h"
+#include "geometry/profiles/swept_steps.h"
 #include "model/store/array.h"
 
 static const double full_turn = 6.28318530717958647693;
@@ -27,6 +29,7 @@ void vs_swept_free(vs_swept *s) {
   free(s->hole);
   free(s->sections);
   free(s->seam);
+  free(s->stride);
   *s = (vs_swept){ 0 };
 }
 
@@ -113,74 +116,7 @@ static bool swept_disc(vs_swept *s, double radius, int n) {
 
 /* ---- sections along a path ---- */
 
-static size_t swept_count(double n, size_t most) { /* returns n rounded up to a whole number, at least 1 and at most
-                                                    * `most` */
-  n = ceil(n - 1e-9);
-  return n > (double)most ? most : n > 1 ? (size_t)n : 1;
-}
-
-/* Divides the edge from point i of the profile to the next point into pieces[i] equal pieces, for all i. Returns false
- * when memory is out. */
-static bool swept_split(vs_swept *s, const size_t *pieces) {
-  size_t total = 0, end = 0;
-  vs_vec2 *fine = NULL;
-  for (size_t i = 0; i < s->profile_count; i++) total += pieces[i];
-  if (!VS_FRESH(fine, total + 1)) return false;
-  for (size_t l = 0, first = 0; l < s->loop_count; l++) {
-    size_t size = s->sizes[l], begin = end;
-    for (size_t i = 0; i < size; i++) {
-      vs_vec2 p = s->profile[first + i], q = s->profile[first + (i + 1) % size];
-      size_t k = !s->filled && i + 1 == size ? 1 : pieces[first + i]; /* k: number of pieces of edge i; 1 for the last
-                                                                       * point of an open profile, after which there is
-                                                                       * no edge */
-      for (size_t j = 0; j < k; j++) {
-        double t = (double)j / (double)k;
-        fine[end++] = (vs_vec2){ p.x + (q.x - p.x) * t, p.y + (q.y - p.y) * t };
-      }
-    }
-    first += size;
-    s->sizes[l] = end - begin;
-  }
-  free(s->profile);
-  s->profile = fine;
-  s->profile_count = end;
-  return true;
-}
-
-enum { MOST_STEPS = 200000 };
-
-/* Computes into how many steps a twist divides the path. In a step, a straight edge of length l that turns by the angle
- * da sweeps a saddle; two triangles deviate from its middle by l da / 4. With n steps, and k pieces of each edge, l/k
- * twist/n / 4 must be within the tolerance; n and k are about equal. If the node sets its segments, edges are not
- * divided. Returns n, at least the number of facets in an equal turn; 1 without a twist; 0 when memory is out. */
-static size_t swept_refine(vs_swept *s, double twist, double scale, double reach, const vs_fineness *f) {
-  enum { MOST = 2000, MOST_POINTS = 10000000 };
-  double widest = fmax(1, fabs(scale)), longest = 0;
-  if (twist == 0) return 1;
-  for (size_t l = 0, first = 0; l < s->loop_count; first += s->sizes[l], l++)
-    for (size_t i = 0; i + (s->filled ? 0 : 1) < s->sizes[l]; i++) {
-      vs_vec2 p = s->profile[first + i], q = s->profile[first + (i + 1) % s->sizes[l]];
-      longest = fmax(longest, hypot(q.x - p.x, q.y - p.y));
-    }
-  double n = ceil(fabs(twist) / full_turn * vs_fineness_turn(f, reach * widest, 0) - 1e-9),
-         saddle = fabs(twist) * widest / (4 * f->tolerance);
-  if (f->segments <= 0) n = fmax(n, ceil(sqrt(saddle * longest)));
-  n = fmax(fmin(n, fmin(MOST_STEPS, MOST_POINTS / (double)(s->profile_count ? s->profile_count : 1))), 1);
-  if (f->segments > 0) return (size_t)n;
-  size_t *pieces = NULL;
-  if (!VS_FRESH(pieces, s->profile_count + 1)) return 0;
-  for (size_t l = 0, first = 0; l < s->loop_count; first += s->sizes[l], l++)
-    for (size_t i = 0; i < s->sizes[l]; i++) {
-      vs_vec2 p = s->profile[first + i], q = s->profile[first + (i + 1) % s->sizes[l]];
-      pieces[first + i] = swept_count(saddle * hypot(q.x - p.x, q.y - p.y) / n, MOST);
-    }
-  bool ok = swept_split(s, pieces);
-  free(pieces);
-  return ok ? (size_t)n : 0;
-}
-
-/* Returns the number of steps for a part of the path, at least 1. steps: number for the whole path; share: fraction of
- * its length. */
+/* Returns the number of steps, at least 1, for a part of the path that is the fraction `share` of its length. */
 static size_t swept_share(size_t steps, double share) {
   double n = ceil((double)steps * share - 1e-9);
   return n < 1 ? 1 : (size_t)n;
@@ -303,79 +239,9 @@ static double swept_spin(const vs_upright *u, const vs_path_point *corner) {
   return atan2(vs_v3_dot(a, vs_v3_cross(before, x)), vs_v3_dot(before, x));
 }
 
-/* Returns how far two triangles deviate from the surface that the edge from p to q sweeps between sections a and b. It
- * is a quarter of the distance by which the surface's four corners differ from a plane. */
-static double swept_saddle(const vs_section *a, const vs_section *b, vs_vec2 p, vs_vec2 q) {
-  vs_vec3 at[2][2], most = { 0, 0, 0 };
-  for (int i = 0; i < 2; i++) {
-    const vs_section *s = i ? b : a;
-    at[i][0] = vs_v3_add(vs_v3_add(vs_v3_scale(s->x, p.x), vs_v3_scale(s->y, p.y)), s->at);
-    at[i][1] = vs_v3_add(vs_v3_add(vs_v3_scale(s->x, q.x), vs_v3_scale(s->y, q.y)), s->at);
-  }
-  for (int c = 0; c < 4; c++) { /* uses the longest of the normals at the four corners */
-    int i = c / 2, j = c % 2;
-    vs_vec3 n = vs_v3_cross(vs_v3_sub(at[1][j], at[0][j]), vs_v3_sub(at[i][1], at[i][0]));
-    if (vs_v3_length(n) > vs_v3_length(most)) most = n;
-  }
-  vs_vec3 bend = vs_v3_add(vs_v3_sub(at[1][1], at[1][0]), vs_v3_sub(at[0][0], at[0][1]));
-  double length = vs_v3_length(most);
-  return length > 0 ? fabs(vs_v3_dot(bend, most)) / length / 4 : 0;
-}
-
-/* Divides parts of the path where the walls between two sections are not planar. An upright profile turns where the
- * path climbs out of a bend. A profile that grows or shrinks between two mitres has curved walls. Such a part is
- * divided into n steps and each edge into k pieces, so that the deviation of the triangles, which decreases with n k,
- * is within the tolerance. If the sweep has a seam, edges are not divided. Returns false when memory is out. */
-static bool swept_flatten(vs_swept *s, const vs_fineness *f) {
-  enum { MOST = 200 };
-  size_t count = s->section_count, total = 0, *pieces = NULL, *steps = NULL;
-  bool ok = VS_FRESH(pieces, s->profile_count + 1) && VS_FRESH(steps, count + 1);
-  bool split = !s->seam, bends = false;
-  for (size_t i = 0; ok && i < s->profile_count; i++) pieces[i] = 1;
-  for (size_t r = 0; ok && r < count; r++) {
-    const vs_section *a = &s->sections[r], *b = &s->sections[r + 1 == count ? 0 : r + 1];
-    bool goes = !a->ends && (s->joined || r + 1 < count);
-    for (int pass = 0; pass < 2; pass++) { /* the first pass computes the number of steps, from the edge with the
-                                            * largest deviation; the second pass computes the pieces of each edge */
-      double most = 0;
-      for (size_t l = 0, first = 0; goes && l < s->loop_count; first += s->sizes[l], l++)
-        for (size_t i = 0; i + !s->filled < s->sizes[l]; i++) {
-          double d = swept_saddle(a, b, s->profile[first + i], s->profile[first + (i + 1) % s->sizes[l]]);
-          most = fmax(most, d / f->tolerance);
-          if (!pass || !split) continue;
-          size_t k = swept_count(d / f->tolerance / (double)steps[r], MOST);
-          if (k > pieces[first + i]) pieces[first + i] = k;
-        }
-      if (!pass) steps[r] = swept_count(split ? sqrt(most) : most, MOST);
-    }
-    bends = bends || steps[r] > 1;
-    total += steps[r];
-  }
-  if (ok && bends) {
-    vs_section *fine = NULL;
-    size_t n = 0;
-    ok = VS_FRESH(fine, total) && (!split || swept_split(s, pieces));
-    for (size_t r = 0; ok && r < count; r++) {
-      const vs_section *a = &s->sections[r], *b = &s->sections[r + 1 == count ? 0 : r + 1];
-      fine[n++] = *a;
-      for (size_t k = 1; k < steps[r]; k++) fine[n++] = vs_section_between(a, b, (double)k / (double)steps[r]);
-    }
-    if (ok) {
-      free(s->sections);
-      s->sections = fine;
-      s->section_count = s->section_room = n;
-    } else {
-      free(fine);
-    }
-  }
-  free(pieces);
-  free(steps);
-  return ok;
-}
-
-/* How the profile is placed at a point of the path. lean: inclination vector of its section; spin: angle in radians by
- * which it is turned relative to the moving frame. */
-typedef struct { vs_vec3 lean; double spin; } swept_stance;
+/* How the profile is placed at a point of the path, relative to the moving frame. The inclination of its section is
+ * `lean`, the angle in radians by which it is turned is `spin`. It arrives at the next point with `next_spin`. */
+typedef struct { vs_vec3 lean; double spin, next_spin; } swept_stance;
 
 /* How a profile moves along a path. */
 typedef struct {
@@ -388,6 +254,64 @@ typedef struct {
   double reach;              /* greatest distance of the profile's points from `base` */
 } swept_way;
 
+/* A stretch of the path: the number of its coarse steps, and the angle by which an upright profile turns until the
+ * corner at its end. */
+typedef struct { size_t steps; double spin; } swept_stretch;
+
+/* Returns stretch i of a path for a profile that turns by `twist` radians along the whole. *step: rotation in radians
+ * in each of its coarse steps. */
+static swept_stretch swept_stretch_of(const vs_path *path, size_t i, const vs_upright *upright, double twist,
+                                      const vs_fineness *f, double *step) {
+  const vs_path_point *p = &path->at[i], *q = &path->at[i + 1 < path->count ? i + 1 : 0];
+  double share = vs_v3_length(vs_v3_sub(q->at, p->at)) / path->length, spin = upright ? swept_spin(upright, q) : 0,
+         angle = fabs(twist) * share + fabs(spin);
+  size_t steps = swept_share(vs_twist_coarse(f, twist), share);
+  if (spin != 0 && steps < vs_twist_coarse(f, angle)) steps = vs_twist_coarse(f, angle);
+  *step = angle / (double)steps;
+  return (swept_stretch){ steps, spin };
+}
+
+/* Returns how often the coarse steps are halved, `count` in number: less often if there would be too many points. */
+static int swept_halvings(const vs_swept *s, const vs_twist *turning, size_t count, const vs_fineness *f) {
+  int n = vs_twist_halvings(f, turning->step, turning->reach * fmax(1, fabs(turning->scale)));
+  while (n > 0 && ldexp((double)count * (double)s->profile_count, n) > VS_SWEPT_POINTS_MOST) n--;
+  return n;
+}
+
+/* The points of a path with the positions of the profile there. */
+typedef struct {
+  const vs_path *path;
+  const vs_vec3 *carried;      /* first direction of the profile at each point, where the path leaves it */
+  const swept_stance *stance;
+  const swept_way *way;
+} swept_points;
+
+/* Adds `count` sections between point i and the next, which divide this step equally. The sections depend on the two
+ * points alone: sweeps with more and with fewer of them have the others in common. Returns false when memory is out. */
+static bool swept_between(vs_swept *s, const swept_points *on, size_t i, size_t count) {
+  if (!count) return true;
+  size_t next = i + 1 < on->path->count ? i + 1 : 0;
+  const vs_path_point *a = &on->path->at[i], *b = &on->path->at[next];
+  const swept_way *way = on->way;
+  bool corner = !vs_v3_equal(b->arriving, b->leaving), back = corner && swept_turns_back(b), ok = true;
+  vs_affine turn = vs_frame_turn(b->leaving, b->arriving);
+  vs_vec3 x = back ? on->carried[i] : corner ? vs_affine_vector(&turn, on->carried[next]) : on->carried[next],
+          lean = corner ? swept_lean(b, b->arriving) : on->stance[next].lean;
+  double from = a->along / on->path->length, to = next ? b->along / on->path->length : 1;
+  for (size_t k = 1; ok && k <= count; k++) {
+    double t = (double)k / (double)(count + 1), part = from + (to - from) * t,
+           spin = on->stance[i].spin * (1 - t) + on->stance[i].next_spin * t;
+    vs_vec3 d = vs_v3_unit(vs_v3_add(vs_v3_scale(a->leaving, 1 - t), vs_v3_scale(b->arriving, t))),
+            across = vs_v3_add(vs_v3_scale(on->carried[i], 1 - t), vs_v3_scale(x, t));
+    across = way->upright ? swept_stood(way->upright, d)
+                          : vs_v3_unit(vs_v3_sub(across, vs_v3_scale(d, vs_v3_dot(across, d))));
+    vs_path_point p = { vs_v3_add(vs_v3_scale(a->at, 1 - t), vs_v3_scale(b->at, t)), d, d, 0 };
+    ok = swept_add(s, swept_section(&p, vs_v3_add(vs_v3_scale(on->stance[i].lean, 1 - t), vs_v3_scale(lean, t)), across,
+                                    way->twist * part + spin, 1 + (way->scale - 1) * part, way->base));
+  }
+  return ok;
+}
+
 /* Sets *closing to the angle, in radians, by which a profile must turn evenly along a closed path so that its end
  * coincides with its start. x: first direction of the profile at the start. Returns false when memory is out. */
 static bool swept_closing(const vs_path *path, vs_vec3 x, double *closing) {
@@ -398,8 +322,24 @@ static bool swept_closing(const vs_path *path, vs_vec3 x, double *closing) {
   return carried != NULL;
 }
 
-/* Makes the sections along a path. May change the path's points, and divides the path for a twist. Returns false and
- * sets e on failure. */
+/* Divides the walls between the sections as the tolerance requires. Sets s->dense instead if the sweep is not dense,
+ * and must be. bends: true if walls may be curved without a twist. Returns false when memory is out. */
+static bool swept_walls(vs_swept *s, const vs_twist *turning, int halvings, bool bends, const vs_fineness *f) {
+  bool shared = !s->dense && !s->seam, ok = true; /* shared: whether each wall depends on its edge alone */
+  bool strides = shared && turning->scale > 0;
+  if (shared && s->filled && (bends || turning->step > 0)) {
+    ok = vs_swept_turns(s, &s->dense);
+    if (s->dense) return ok;
+  }
+  for (size_t i = 0; strides && i < s->section_count; i++) strides = !s->sections[i].ends;
+  if (ok && strides) ok = vs_twist_strides(s, turning, halvings, f);
+  if (ok && bends) ok = shared ? vs_swept_flatten_edges(s, f) : vs_swept_flatten_steps(s, f);
+  if (ok && strides) ok = vs_twist_strides(s, turning, halvings, f); /* the profile may have more points now */
+  return ok && (!s->filled || vs_overturn_refine(s, NULL, f->tolerance));
+}
+
+/* Makes the sections along a path; this function may change the path's points, and divides the path for a twist.
+ * Returns false and sets e on failure. */
 static bool swept_along(vs_swept *s, vs_path *path, const swept_way *way, const vs_fineness *f, vs_error *e) {
   const vs_upright *upright = way->upright;
   double twist = way->twist, scale = way->scale, reach = way->reach;
@@ -409,12 +349,22 @@ static bool swept_along(vs_swept *s, vs_path *path, const swept_way *way, const 
   swept_stance *stance = NULL; /* stance[i]: how the profile is placed at point i of the path `fine` */
   size_t stances = 0;
   bool ok = true;
-  double widest = fmax(1, fabs(scale)), rest = twist - full_turn * nearbyint(twist / full_turn), closing = 0;
+  double zone = reach * fmax(1, fabs(scale)), rest = twist - full_turn * nearbyint(twist / full_turn), closing = 0;
   bool meets = path->closed && scale == 1, joins = meets && fabs(rest) < 1e-9;
   if (meets && !upright) ok = swept_closing(path, way->x, &closing);
-  size_t stretches = path->closed ? path->count : path->count - 1,
-         all_steps = ok ? swept_refine(s, twist + closing, scale, reach, f) : 0;
-  ok = all_steps > 0;
+  size_t stretches = path->closed ? path->count : path->count - 1, count = 0;
+  vs_twist turning = { .scale = scale, .base = base, .reach = reach, .turn = fabs(twist + closing) };
+  for (size_t i = 0; ok && i < stretches; i++) {
+    double step;
+    count += swept_stretch_of(path, i, upright, twist + closing, f, &step).steps;
+    turning.step = fmax(turning.step, step);
+  }
+  int halvings = ok ? swept_halvings(s, &turning, count, f) : 0;
+  size_t parts = (size_t)1 << halvings;
+  if (s->dense) vs_twist_rows(s, &turning, f);
+  if (s->dense) parts = vs_twist_parts(&turning, count, f);
+  else if (f->segments <= 0 && turning.step > 0) zone = vs_twist_reach(f, turning.step, halvings);
+  ok = ok && vs_twist_divide(s, &turning, f);
   for (size_t i = 0; i < path->count; i++) meets = meets && !swept_turns_back(&path->at[i]);
   if (ok && meets && !joins && s->filled) ok = swept_seam(s, base, rest, reach);
   bool seam = s->seam != NULL; /* true if start and end of the sweep can be joined, because the turned profile coincides
@@ -426,17 +376,18 @@ static bool swept_along(vs_swept *s, vs_path *path, const swept_way *way, const 
   for (size_t i = 0; ok && i < stretches; i++) {
     const vs_path_point *p = &path->at[i], *q = &path->at[i + 1 < path->count ? i + 1 : 0];
     vs_vec3 step = vs_v3_sub(q->at, p->at);
-    double share = vs_v3_length(step) / path->length, spin = upright ? swept_spin(upright, q) : 0,
-           turned = (fabs(twist + closing) * share + fabs(spin)) / full_turn * vs_fineness_turn(f, reach * widest, 0);
-    size_t steps = swept_share(all_steps, share);
-    if (spin != 0 && (double)steps < turned) steps = swept_count(turned, MOST_STEPS);
+    double angle;
+    swept_stretch stretch = swept_stretch_of(path, i, upright, twist + closing, f, &angle);
+    size_t steps = stretch.steps;
+    double spin = stretch.spin;
     ok = vs_path_add(&fine, p->at, p->arriving, p->leaving) && VS_GROW(stance, stances, fine.count + steps);
-    if (ok) stance[fine.count - 1] = (swept_stance){ swept_lean(p, p->leaving), 0 };
+    if (ok) stance[fine.count - 1] = (swept_stance){ swept_lean(p, p->leaving), 0, spin / (double)steps };
     for (size_t k = 1; ok && k < steps; k++) {
       double t = (double)k / (double)steps;
       vs_vec3 d = vs_v3_unit(vs_v3_add(vs_v3_scale(p->leaving, 1 - t), vs_v3_scale(q->arriving, t)));
       ok = vs_path_add(&fine, vs_v3_add(p->at, vs_v3_scale(step, t)), d, d);
-      if (ok) stance[fine.count - 1] = (swept_stance){ swept_lean_between(p, q, t, reach * widest), spin * t };
+      if (ok) stance[fine.count - 1] =
+        (swept_stance){ swept_lean_between(p, q, t, zone), spin * t, spin * (double)(k + 1) / (double)steps };
     }
   }
   const vs_path_point *last = path->closed ? &path->at[0] : &path->at[path->count - 1];
@@ -444,7 +395,7 @@ static bool swept_along(vs_swept *s, vs_path *path, const swept_way *way, const 
                        * then repeated as the last */
   if (ends) {
     ok = ok && vs_path_add(&fine, last->at, last->arriving, last->leaving);
-    if (ok) stance[fine.count - 1] = (swept_stance){ swept_lean(last, last->leaving), 0 };
+    if (ok) stance[fine.count - 1] = (swept_stance){ swept_lean(last, last->leaving), 0, 0 };
   }
   fine.closed = joins;
   if (ok) vs_path_measure(&fine);
@@ -454,6 +405,7 @@ static bool swept_along(vs_swept *s, vs_path *path, const swept_way *way, const 
   if (ok && !upright) vs_frame_transport(fine.at, fine.count - seam, joins || seam, fine.length, way->x, carried);
   if (ok && seam) carried[fine.count - 1] = carried[0];
   bool broken = false;
+  const swept_points on = { &fine, carried, stance, way };
   for (size_t i = 0; ok && stands && i < fine.count + broken; i++) {
     bool round = i == fine.count; /* true for the last piece of a closed path, which ends where the first piece
                                    * begins */
@@ -471,12 +423,12 @@ static bool swept_along(vs_swept *s, vs_path *path, const swept_way *way, const 
     size_t at = round ? 0 : i;
     ok = ok && swept_add(s, swept_section(&p, stance[at].lean, carried[at], twist * t + stance[at].spin,
                                           1 + (scale - 1) * t, base));
+    if (ok && !round && (i + 1 < fine.count || joins)) ok = swept_between(s, &on, i, parts - 1);
   }
   s->joined = joins && !broken;
   s->across = true;
   s->base = base;
-  if (ok && stands && (upright || scale != 1) && f->segments <= 0) ok = swept_flatten(s, f);
-  if (ok && stands && s->filled && f->segments <= 0) ok = vs_overturn_refine(s, NULL, f->tolerance);
+  if (ok && stands && f->segments <= 0) ok = swept_walls(s, &turning, halvings, upright || scale != 1, f);
   vs_path_free(&fine);
   free(carried);
   free(stance);
@@ -539,14 +491,26 @@ static bool swept_extrude(vs_swept *s, const vs_node *n, const vs_fineness *f, v
                       "do-extrude: the amount lies in the profile's own plane, whose normal is (vxyz %.6g %.6g %.6g)",
                       plane.normal.x, plane.normal.y, plane.normal.z);
   s->joined = ok && path.closed && !turns;
-  size_t all_steps = ok ? swept_refine(s, x->twist, x->scale, plane.reach, f) : 1;
-  if (!all_steps) ok = vs_error_memory(e, NULL);
+  vs_twist turning = { .scale = x->scale, .base = plane.base, .reach = plane.reach, .turn = fabs(x->twist) };
+  size_t stretches = !ok || x->twist == 0 || !(path.length > 0) ? 0
+                     : path.closed                              ? path.count
+                                                                : path.count - 1,
+         count = 0;
+  for (size_t i = 0; i < stretches; i++) {
+    double step;
+    count += swept_stretch_of(&path, i, NULL, x->twist, f, &step).steps;
+    turning.step = fmax(turning.step, step);
+  }
+  int halvings = ok ? swept_halvings(s, &turning, count, f) : 0;
+  if (ok && !vs_twist_divide(s, &turning, f)) ok = vs_error_memory(e, NULL);
   for (size_t i = 0; ok && i < path.count + (path.closed && turns); i++) {
     bool round = i == path.count;
     vs_vec3 p = path.at[round ? 0 : i].at;
     double until = round ? path.length : path.at[i].along, from = i ? path.at[i - 1].along : 0;
     vs_vec3 before = i ? path.at[i - 1].at : p;
-    size_t steps = i && path.length > 0 ? swept_share(all_steps, (until - from) / path.length) : 1;
+    size_t steps = 1;
+    double angle;
+    if (i && stretches) steps = swept_stretch_of(&path, i - 1, NULL, x->twist, f, &angle).steps << halvings;
     for (size_t k = 1; ok && k <= steps; k++) {
       double part = (double)k / (double)steps, t = path.length > 0 ? (from + (until - from) * part) / path.length : 0,
              sine, cosine;
@@ -565,6 +529,8 @@ static bool swept_extrude(vs_swept *s, const vs_node *n, const vs_fineness *f, v
       ok = swept_add(s, section) || vs_error_memory(e, NULL);
     }
   }
+  if (ok && x->scale > 0)
+    ok = vs_twist_strides(s, &turning, halvings, f) || vs_error_memory(e, NULL);
   vs_path_free(&path);
   return ok;
 }
@@ -618,11 +584,18 @@ static bool swept_thicken(vs_swept *s, const vs_node *n, const vs_fineness *f, v
   return ok;
 }
 
-bool vs_swept_plan(const vs_node *n, const vs_fineness *f, vs_swept *out, vs_error *e) {
-  *out = (vs_swept){ 0 };
+static bool swept_kind(const vs_node *n, const vs_fineness *f, bool dense, vs_swept *out, vs_error *e) {
+  *out = (vs_swept){ .dense = dense };
   bool ok = n->kind == VS_EXTRUDE ? swept_extrude(out, n, f, e)
             : n->kind == VS_SWEEP ? swept_sweep(out, n, f, e)
                                   : swept_thicken(out, n, f, e);
   if (!ok) vs_swept_free(out);
   return ok;
+}
+
+bool vs_swept_plan(const vs_node *n, const vs_fineness *f, vs_swept *out, vs_error *e) {
+  if (!swept_kind(n, f, false, out, e)) return false;
+  if (!out->dense) return true;
+  vs_swept_free(out);
+  return swept_kind(n, f, true, out, e);
 }

@@ -26,6 +26,11 @@ typedef struct {
   bool joined;        /* true if walls connect the last section to the first */
   size_t *seam;       /* If not NULL: the last section coincides with the first, but with a turned profile: its point i
                        * is point seam[i] of the first section. */
+  size_t *stride;     /* If not NULL: point i of the profile is a vertex only in sections 0, stride[i], 2 stride[i] ...;
+                       * between them it moves on straight lines. The strides are powers of two, and divide the number
+                       * of steps. */
+  bool dense;         /* True if part of the profile goes backwards somewhere. Then all points are vertices in all
+                       * sections, whose number depends on the whole profile. */
   bool across;        /* true if the sections are perpendicular to a path, or mitred; the sections' x and y are then
                        * right-handed about the path's direction */
   vs_vec2 base;       /* the point of the profile that moves on the path; valid only if `across` is true */

@@ -48,7 +48,7 @@ static bool lay(const vs_swept *s, laid *l) {
 static vs_quad_grid grid_of(const vs_swept *s, const laid *l, size_t first, size_t rows) {
   return (vs_quad_grid){ .at = l->at + first * s->profile_count, .rows = rows, .columns = s->profile_count,
                          .sizes = s->sizes, .hole = s->hole, .loop_count = s->loop_count, .round = s->filled,
-                         .capped = s->filled, .flat = s->profile, .by_number = l->turns + first,
+                         .capped = s->filled, .shared = true, .flat = s->profile, .by_number = l->turns + first,
                          .numbers = l->numbers };
 }
 
@@ -74,9 +74,81 @@ static size_t piece_end(const vs_swept *s, size_t first) {
   return end;
 }
 
+/* ---- strips: the wall of each edge by itself, for points with different strides ---- */
+
+/* A column of the wall: the point of the profile with this index. */
+typedef struct { const vs_swept *s; const laid *l; size_t point; } column;
+
+/* Returns the vertex of the column in row r, a multiple of its stride. */
+static uint32_t vertex_of(const column *c, size_t r) {
+  return c->l->numbers[r % c->s->section_count * c->s->profile_count + c->point];
+}
+
+static bool add_facet(vs_mesh *out, bool turned, const uint32_t v[3]) {
+  return vs_mesh_add_triangle(out, v[0], v[turned ? 2 : 1], v[turned ? 1 : 2]);
+}
+
+/* Adds the triangles between rows r and r + S, the stride of the column p. The column q has the same stride or a
+ * smaller one. turned: true if p follows q in the profile. The triangles are the same with p and q in either order. */
+static bool strip_block(const column *p, const column *q, size_t r, bool turned, vs_mesh *out) {
+  size_t coarse = p->s->stride[p->point], fine = q->s->stride[q->point], middle = r + coarse / fine / 2 * fine;
+  uint32_t low = vertex_of(p, r), high = vertex_of(p, r + coarse);
+  bool ok = true;
+  if (coarse == fine) {
+    uint32_t a = vertex_of(q, r), b = vertex_of(q, r + coarse);
+    const vs_vec3 *v = out->vertices;
+    return vs_grid_cut(v[low], v[a], v[high], v[b]) ? add_facet(out, turned, (uint32_t[]){ low, a, high }) &&
+                                                          add_facet(out, turned, (uint32_t[]){ a, b, high })
+                                                    : add_facet(out, turned, (uint32_t[]){ low, a, b }) &&
+                                                          add_facet(out, turned, (uint32_t[]){ low, b, high });
+  }
+  for (size_t at = r; ok && at < r + coarse; at += fine) {
+    uint32_t tip = at < middle ? low : high;
+    if (at == middle) ok = add_facet(out, turned, (uint32_t[]){ low, vertex_of(q, middle), high });
+    ok = ok && add_facet(out, turned, (uint32_t[]){ tip, vertex_of(q, at), vertex_of(q, at + fine) });
+  }
+  return ok;
+}
+
+static bool strip(const vs_swept *s, const laid *l, size_t i, size_t j, vs_mesh *out) {
+  column p = { s, l, i }, q = { s, l, j };
+  bool turned = s->stride[i] < s->stride[j], ok = true;
+  size_t stride = s->stride[turned ? j : i], rows = s->section_count - !s->joined;
+  for (size_t r = 0; ok && r < rows; r += stride) ok = strip_block(turned ? &q : &p, turned ? &p : &q, r, turned, out);
+  return ok;
+}
+
+static bool mesh_of_strips(const vs_swept *s, const laid *l, vs_mesh *out) {
+  size_t n = s->profile_count, rows = s->section_count, before = out->triangle_count;
+  VS_ASSERT(!s->seam && rows > 1);
+  bool ok = true;
+  for (size_t i = 0; i < n; i++)
+    for (size_t r = 0; ok && r < rows; r += s->stride[i])
+      ok = vs_mesh_add_vertex(out, l->at[r * n + i], &l->numbers[r * n + i]);
+  for (size_t k = 0, first = 0; ok && k < s->loop_count; first += s->sizes[k], k++)
+    for (size_t i = 0; ok && i + !s->filled < s->sizes[k]; i++)
+      ok = strip(s, l, first + i, first + (i + 1) % s->sizes[k], out);
+  vs_cap_loops loops = { s->profile, s->sizes, s->hole, s->loop_count };
+  if (s->filled && !s->joined)
+    ok = ok && vs_grid_cap(&loops, l->numbers, out, true) &&
+         vs_grid_cap(&loops, l->numbers + (rows - 1) * n, out, false);
+  if (!ok || !s->filled) return ok;
+  vs_mesh added = { .vertices = out->vertices,
+                    .triangles = out->triangles + before,
+                    .triangle_count = out->triangle_count - before };
+  if (vs_mesh_volume(&added) < 0) vs_mesh_turn(out, before);
+  return true;
+}
+
 bool vs_swept_mesh(const vs_swept *s, vs_mesh *out) {
   laid l;
-  bool ok = lay(s, &l);
+  bool ok = lay(s, &l), even = ok && s->stride;
+  for (size_t r = 0; even && r < s->section_count; r++) even = !l.turns[r];
+  if (even) {
+    ok = mesh_of_strips(s, &l, out);
+    laid_free(&l);
+    return ok;
+  }
   for (size_t first = 0, end; ok && first < s->section_count; first = end + 1) {
     end = piece_end(s, first);
     vs_quad_grid g = grid_of(s, &l, first, end + 1 - first);

@@ -7,7 +7,7 @@
  * no two of its triangles intersect. A sweep that does not overlap itself is never refused. At most one in twenty
  * sweeps that overlap is refused, by an error that names the bend.
  *
- * Tests a sample of some 45 small sweeps, with LONG=1 two thousand of any size, or those of SEEDS=FROM-TO; TELL=1
+ * Tests a sample of some 30 small sweeps, with LONG=1 two thousand of any size, or those of SEEDS=FROM-TO; TELL=1
  * prints the results. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -257,8 +257,8 @@ static void sweeps_are_where_the_profile_was(void **state) {
             t.furthest, t.wrong, t.refused, t.met);
   assert_int_equal(t.wrong, 0);
   assert_true(t.refused * 20 <= t.overlapping || seeds.to - seeds.from < 20);
-  /* checks that the run has tested enough sweeps and points */
-  if (seeds.to - seeds.from > 20) assert_true(t.overlapping * 3 > t.sweeps && t.inside * 40 > t.points);
+  /* checks that the run has tested enough sweeps and points; fewer small sweeps overlap */
+  if (seeds.to - seeds.from > 20) assert_true(t.overlapping * (seeds.whole ? 3 : 4) > t.sweeps && t.inside * 40 > t.points);
 }
 
 int main(void) {

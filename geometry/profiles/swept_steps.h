@@ -1,0 +1,50 @@
+/* Declares, for use in geometry/ alone, the steps of a twisted sweep, and the pieces into which they divide the edges
+ * of its profile. */
+#ifndef VS_GEOMETRY_PROFILES_SWEPT_STEPS_H
+#define VS_GEOMETRY_PROFILES_SWEPT_STEPS_H
+
+#include "geometry/profiles/swept.h"
+
+/* VS_STEPS_MOST: greatest number of steps of a path. VS_SWEPT_POINTS_MOST: greatest number of points in all rows. */
+enum { VS_STEPS_MOST = 200000, VS_SWEPT_POINTS_MOST = 10000000 };
+
+/* The motion of a profile about a point of its plane. */
+typedef struct {
+  double scale; /* scale at the end of the path */
+  vs_vec2 base; /* the point about which the profile turns */
+  double reach; /* greatest distance of the profile's points from the base */
+  double turn;  /* rotation along the whole path in radians, >= 0, without that of an upright profile */
+  double step;  /* greatest rotation in radians in a coarse step of the path: the same for all profiles */
+  size_t rows;  /* number of steps of the whole path by which all edges are divided; 0: each edge is divided by the
+                 * steps of its own points */
+} vs_twist;
+
+/* Returns n rounded up, at least 1 and at most `most`. */
+size_t vs_steps_count(double n, size_t most);
+/* Returns the number of coarse steps, at least 1, for a rotation by `angle`. */
+size_t vs_twist_coarse(const vs_fineness *f, double angle);
+/* Returns how often coarse steps must be halved, so that a point at the distance r from the base stays within the
+ * tolerance. */
+int vs_twist_halvings(const vs_fineness *f, double step, double r);
+/* Returns the greatest distance from the base for which so many halvings suffice. step > 0. */
+double vs_twist_reach(const vs_fineness *f, double step, int halvings);
+/* Sets twist->rows so that all points have rows in about as many steps as the longest edge has pieces. */
+void vs_twist_rows(const vs_swept *s, vs_twist *twist, const vs_fineness *f);
+/* Returns the number of parts into which each of `count` coarse steps is divided for twist->rows rows. */
+size_t vs_twist_parts(const vs_twist *twist, size_t count, const vs_fineness *f);
+/* Divides the edges of the profile. Returns false when memory is out. */
+bool vs_twist_divide(vs_swept *s, const vs_twist *twist, const vs_fineness *f);
+/* Sets s->stride for rows that are coarse steps with so many halvings. Returns false when memory is out. */
+bool vs_twist_strides(vs_swept *s, const vs_twist *twist, int halvings, const vs_fineness *f);
+
+/* The next two functions divide walls that are not planar. An upright profile turns where its path climbs out of a
+ * bend. A profile that grows or shrinks between two mitres has curved walls, too. Afterwards the triangles of these
+ * walls deviate from them by at most the tolerance. Both return false when memory is out. */
+
+/* Divides the edges of the profile into pieces, by the wall of each edge alone. */
+bool vs_swept_flatten_edges(vs_swept *s, const vs_fineness *f);
+/* Divides the parts of a path between neighbouring sections into n steps and the edges into k pieces; the deviation
+ * decreases with n k. If the sweep has a seam, the edges are not divided. */
+bool vs_swept_flatten_steps(vs_swept *s, const vs_fineness *f);
+
+#endif
