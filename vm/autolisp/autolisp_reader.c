@@ -23,10 +23,12 @@
 
 typedef enum { LIST, PARAMETERS, DATA, QUOTATION } list_kind;
 
-/* A list that is open. dot: 0, 1 after the dot, 2 after the datum that follows the dot. */
+/* A list whose closing parenthesis was not read yet. dot: 0, 1 after a dot in the list, 2 after the datum that follows
+ * the dot. */
 typedef struct { vs_pos pos; size_t count; uint8_t kind, dot; } level;
 
-/* work: roots. OPEN: a list of (before-first . last pair) for each open list, the innermost first. */
+/* Indices in the array `work` of garbage-collector roots. work[OPEN]: a list with the element (before-first . last
+ * pair) for each open list, the innermost first. */
 enum { OPEN, ASSIGNED, MENTIONED, DATUM, ROOTS };
 
 typedef struct {
@@ -68,7 +70,8 @@ static bool skip(reader *r) {
 
 /* ---- names that the program uses ---- */
 
-/* Returns the name at the start of the open list `up` levels out, or "" if there is none. */
+/* Returns the name at the start of the open list that is `up` levels outside the innermost one, or "" if it does not
+ * start with a name. */
 static const char *head(const reader *r, size_t up) {
   if (up + 1 >= r->depth) return "";
   vs_value open = r->work[OPEN];
@@ -79,7 +82,8 @@ static const char *head(const reader *r, size_t up) {
 
 static bool is_definition(const char *word) { return !strcmp(word, ":defun") || !strcmp(word, "lisp:defun"); }
 
-/* Returns whether the next item of the innermost list is a variable that the list sets. */
+/* Returns true if the next item of the innermost open list is a variable that this list sets, as in (setq variable
+ * value). */
 static bool is_assigned(const reader *r) {
   const level *l = &r->levels[r->depth - 1];
   const char *word = head(r, 0);
@@ -88,7 +92,7 @@ static bool is_assigned(const reader *r) {
   return l->count == 1 && (!strcmp(word, ":foreach") || !strcmp(word, "lisp:defun"));
 }
 
-/* Returns whether the next item of the innermost list, a name, is only called or defined there. */
+/* Returns true if the next item of the innermost open list is a name that this list only calls or defines. */
 static bool is_only_called(const reader *r) {
   const level *l = &r->levels[r->depth - 1];
   if (r->depth == 1 || l->kind == QUOTATION) return false;
@@ -141,7 +145,7 @@ static bool append(reader *r, vs_pos pos) {
   return true;
 }
 
-/* Moves the innermost open list to work[DATUM], and returns its place. */
+/* Moves the innermost open list to work[DATUM]. Returns the place of the list in the source text. */
 static vs_pos take_list(reader *r) {
   vs_pos pos = r->levels[--r->depth].pos;
   vs_value list = vs_cdr(vs_car(vs_car(r->work[OPEN])));
@@ -151,7 +155,8 @@ static vs_pos take_list(reader *r) {
   return pos;
 }
 
-/* Adds work[DATUM] to the innermost list. A quotation is then complete, and is added in turn. */
+/* Adds work[DATUM] to the innermost open list. If that list is a quotation, it is then complete and is itself added to
+ * the list around it. */
 static bool add(reader *r, vs_pos pos) {
   for (;;) {
     if (!append(r, pos)) return false;
@@ -191,7 +196,7 @@ static bool close_parenthesis(reader *r, vs_pos pos) {
 static bool ends_atom(int c) { return c <= ' ' || strchr("()'\";", c); }
 static bool is_digit(int c) { return c >= '0' && c <= '9'; }
 
-/* Returns whether the atom of n bytes is a number. Sets *whole if it has neither a point nor an exponent. */
+/* Returns true if the atom of n bytes is a number. Sets *whole to true if it has neither a point nor an exponent. */
 static bool is_number(const char *s, size_t n, bool *whole) {
   size_t i = n > 1 && (*s == '-' || *s == '+'), digits = 0;
   for (; i < n && is_digit(s[i]); i++) digits++;
@@ -206,7 +211,7 @@ static bool is_number(const char *s, size_t n, bool *whole) {
   return i == n;
 }
 
-/* Reads a number. A whole number of more than 32 bits is a real number, as there. */
+/* Reads a number. A whole number that does not fit into 32 bits becomes a real number, as in AutoLISP. */
 static bool read_number(reader *r, size_t n, bool whole, vs_pos pos) {
   size_t plus = peek(r, 0) == '+';
   vs_text t;
@@ -258,7 +263,8 @@ static bool read_atom(reader *r, vs_pos pos) {
   return is_number(s, n, &whole) ? read_number(r, n, whole, pos) : read_name(r, n, pos);
 }
 
-/* Returns the value of up to `most` digits of the base from offset `from`; sets *n to their number. */
+/* Returns the value of the at most `most` digits of base `base` that begin at offset `from`. Sets *n to the number of
+ * these digits. */
 static uint32_t digits_value(const reader *r, size_t from, size_t most, uint32_t base, size_t *n) {
   uint32_t value = 0;
   for (*n = 0; *n < most; ++*n) {
@@ -271,7 +277,8 @@ static uint32_t digits_value(const reader *r, size_t from, size_t most, uint32_t
   return value;
 }
 
-/* Reads the rest of an escape: \n \r \t \e, three octal digits, U+ and four hexadecimal digits, or a character. */
+/* Reads an escape after its backslash: \n \r \t \e, three octal digits, U+ and four hexadecimal digits, or a
+ * character. */
 static bool read_escape(reader *r, vs_text *t) {
   static const char marks[] = "nrte", meanings[] = "\n\r\t\033";
   int c = peek(r, 0);
@@ -321,7 +328,8 @@ static bool read_token(reader *r) {
 
 /* ---- the program around the text ---- */
 
-/* Sets *out to the list of the names in the table, except those in `known`. */
+/* Sets *out to a list of the keys of `table` whose value is #t, except those that also have the value #t in the table
+ * `known`. */
 static bool names(reader *r, vs_value table, vs_value known, vs_value *out) {
   VS_ROOTS(r->vm, p, 3);
   p[0] = VS_NIL, p[1] = table, p[2] = known;
@@ -334,7 +342,8 @@ static bool names(reader *r, vs_value table, vs_value known, vs_value *out) {
   return true;
 }
 
-/* Puts the import of the language and (lisp:variables assigned mentioned) before the forms in `rest`. */
+/* Puts two forms before the forms in `rest`: the import of the library (autolisp) and (lisp:variables assigned
+ * mentioned). */
 static bool begin(reader *r, vs_value rest, vs_value *out) {
   vs_scheme *vm = r->vm;
   static const char text[] = "(import (autolisp))";

@@ -1,27 +1,28 @@
 /* Analyses core trees, the expanded programs, in two passes.
  *
- * A home is a LAMBDA whose calls have an activation (a frame of registers) of their own. Every LAMBDA is a home except
- * loops.
+ * A home is a LAMBDA whose calls have an activation (a frame of registers) of their own. Every LAMBDA is a home unless
+ * it is a loop.
  *
- * Loops: the first pass finds the FIX-bound lambdas that can run in the activation that defines them. All their
- * references must be calls with the right number of arguments, in tail position of the FIX's body or of their own body.
- * Scopes (struct tail) are chained from the inside out. A call is such a tail call if the chain from it reaches the
- * FIX. If the chain passes through the body of another candidate, that candidate must become a loop, too; these
- * conditions are stored and decided at the end.
+ * Loops: the first pass finds the lambdas bound by a FIX that can run in the activation that defines them. Every
+ * reference to such a lambda must be a call with the right number of arguments, in tail position of the FIX's body or
+ * of the lambda's own body. Scopes (struct tail) are chained from the inside out. A call is such a tail call if the
+ * chain from it reaches the FIX. If the chain passes through the body of another candidate, that candidate must become
+ * a loop, too. These dependencies are stored, and decided at the end of the pass.
  *
- * Homes: the second pass finds the LAMBDA that contains each variable, the captures of every lambda, and the variables
- * that need a box. Each step of the tree that defines a variable or creates a closure is a moment, numbered from 1. If
- * a closure that captures a variable is created before the moment at which the variable gets its value, the variable is
- * boxed and its references are checked. Consecutive lambdas of a FIX are created at one moment: they may capture each
- * other, and the compiler patches them.
+ * Homes: the second pass finds the LAMBDA that contains each variable, the captured variables of every lambda, and the
+ * variables that need a box. Each node of the tree that defines a variable or creates a closure has a number, its
+ * moment, counted from 1. If a closure is created before the moment at which one of its captured variables gets its
+ * value, this variable is boxed and its references are checked. Consecutive lambdas of a FIX are created at one moment:
+ * they may capture each other, and the compiler patches them.
  *
- * Both passes recurse only within a home (VS_AST_DEPTH times the few loops nested in it). Lambdas wait in a list. */
+ * Both passes recurse only within a home (VS_AST_DEPTH times the few loops nested in it). Other lambdas wait in a
+ * list. */
 #include "vm/compiler/analyse.h"
 
 #include "vm/machine/native.h"
 
-enum { MOST_LOOPS = 24 /* greatest number of loops in a LAMBDA that is no loop, nested or in sequence, since each may be
-                        * compiled inside another */, MOST_DEPTH = 1500 };
+enum { MOST_LOOPS = 24 /* greatest number of loops, nested or in sequence, in a LAMBDA with its own activation; each may
+                        * be compiled inside the previous loop */, MOST_DEPTH = 1500 };
 
 struct tail { struct tail *parent; vs_core_node *fix; vs_var *var; /* A scope: the body of the lambda of the variable
                                                                     * var or, if var is NULL, the body of `fix`. parent:
@@ -188,13 +189,14 @@ static bool make_info(struct analysis *a, vs_core_node *lambda, vs_core_node *pa
   return add_job(a, lambda, NULL, 0);
 }
 
-/* Returns the first place to search for a variable in the hash index. The size of the index is a power of two. */
+/* Returns the entry of f's hash index at which to begin the search for the variable v. The number of entries is a power
+ * of two. */
 static uint32_t home(const vs_lambda_info *f, const vs_var *v) {
   VS_ASSERT(f->index_room > 0 && (f->index_room & (f->index_room - 1)) == 0);
   return (uint32_t)((uintptr_t)v >> 4) * 2654435761u & (f->index_room - 1);
 }
 
-/* Adds captured variable i to the hash index. */
+/* Adds captured variable i of the lambda f to f's hash index. */
 static void index_put(vs_lambda_info *f, uint32_t i) {
   uint32_t at = home(f, f->free[i]);
   VS_ASSERT(i < f->free_count);
@@ -226,7 +228,7 @@ static bool capture(struct analysis *a, vs_lambda_info *f, vs_var *v) {
     f->free = at;
     f->early = early;
     f->free_room = room;
-    if (room >= 16) {                          /* with many captured variables, builds a hash index */
+    if (room >= 16) {                          /* from 16 captured variables on, builds a hash index */
       f->index_room = room * 2;
       if (!(f->index = vs_ast_alloc(a->ast, f->index_room * sizeof *f->index))) return false;
       for (uint32_t i = 0; i < f->free_count; i++) index_put(f, i);
@@ -246,8 +248,8 @@ static bool use(struct analysis *a, vs_core_node *in, vs_var *v, bool *early) {
     *early = info->ready == VS_NOT_READY;
   } else {
     v->captured = true;
-    /* Goes outwards to the first enclosing lambda that already captures v and knows whether the reference is early.
-     * Otherwise goes to the outermost lambda. */
+    /* Goes outwards from `in` to the first enclosing lambda that has already captured v, and copies its entry of
+     * `early`. If there is none, ends at the outermost lambda inside v's home. */
     vs_core_node *at = in;
     uint32_t known;
     for (;; at = info_of(at)->parent) {

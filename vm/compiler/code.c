@@ -71,7 +71,7 @@ static bool gives(const uint32_t *ins, vs_value v) {
   return (ins[0] & 255) == VS_O_IMM && VS_IMMEDIATE(VS_B(ins[0]), VS_C(ins[0])) == v && is_return(ins[1], VS_A(ins[0]));
 }
 
-/* Returns true if the instructions create and return a record. The instruction that loads the type precedes them: a
+/* Returns true if the instructions create and return a record. They are: an instruction that loads the record type, a
  * move or an immediate value for each field, RECORD, RETURN. */
 static bool is_record_maker(const uint32_t *ins, size_t words, uint32_t type, uint32_t required) {
   uint32_t fields = 0;

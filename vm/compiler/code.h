@@ -42,22 +42,23 @@ uint32_t vs_code_place_start(const vs_code *code, uint32_t pc);       /* Returns
                                                                        * before pc that has a place. */
 const vs_vector *vs_code_variables(const vs_code *code);              /* Returns the vector of variables for a debugger,
                                                                        * or NULL if the code has none. */
-/* Returns the constant index of the cell of the global procedure whose call the instruction at pc replaces. */
+/* Returns the index of the constant that holds the global procedure's cell, where the instruction at pc replaces a call
+ * of this procedure. */
 uint32_t vs_code_inlined(const vs_code *code, uint32_t pc);
-/* Returns the generic form of an opcode (opcodes.def). */
+/* Returns the generic opcode of which `op` is a specialised form (opcodes.def), or `op` itself. */
 int vs_op_generic(uint32_t op);
-/* Returns the letters for the operands of an opcode (opcodes.def). */
+/* Returns a string with one letter for each operand of the opcode, as in opcodes.def. */
 const char *vs_op_operands(uint32_t op);
-/* Returns the number of extra words of an opcode. */
+/* Returns the number of words that follow the first word of an instruction with this opcode. */
 uint32_t vs_op_extra(uint32_t op);
 
 /* Recognises the code of a procedure that define-record-type creates. Returns VS_CODE_GET, VS_CODE_SET, VS_CODE_TEST or
  * VS_CODE_MAKE, or 0 for other code. required: number of the procedure's parameters. */
 uint32_t vs_code_record(const uint32_t *ins, size_t words, uint32_t required);
 
-/* Removes VS_F_CONSTANT from the cell of a global variable before the cell gets another value. Opcodes have replaced
- * calls of the cell's procedure: restores these calls. The environment calls this function before a redefinition; the
- * instructions SETGLOBAL and DEFGLOBAL call it themselves. */
+/* Prepares the cell of a global variable for another value: removes VS_F_CONSTANT from the cell, and restores the calls
+ * that were compiled to opcodes because the cell was constant. The environment calls this function before a
+ * redefinition; the instructions SETGLOBAL and DEFGLOBAL call it themselves. */
 void vs_cell_redefine(vs_value cell);
 
 static inline uint32_t *vs_code_ins(const vs_code *c) { return (uint32_t *)(void *)vs_as_bytes(c->ins)->at; }

@@ -5,8 +5,8 @@
  * therefore the next free registers, and all registers below are in use. An expression writes its target only after it
  * has read all its operands.
  *
- * A FIX variable that is a loop (analyse.h) has no value. Its parameters are registers of the enclosing activation, and
- * its body is compiled at its first call. Later calls assign the parameters and jump there. */
+ * A FIX variable that is a loop (analyse.h) has no value. The loop's parameters are registers of the enclosing
+ * activation, and its body is compiled at its first call. Later calls assign the parameters and jump to the body. */
 #include "vm/compiler/compile.h"
 
 #include "vm/compiler/analyse.h"
@@ -41,8 +41,8 @@ static bool finish(compiler *c, uint32_t from, uint32_t to) {
   return vs_emit_op(&c->e, VS_O_MOVE, to, from, 0);
 }
 
-/* Sets *reg to a register in which to compute a value for the target `to`. It may be a new temporary register, which
- * the caller frees. */
+/* Sets *reg to the register in which to compute a value for the target `to`: `to` itself if it is a register, otherwise
+ * a new temporary register, which the caller frees. */
 static bool landing(compiler *c, uint32_t to, uint32_t *reg) {
   if (is_value(to)) { *reg = to; return true; }
   return vs_emit_register(&c->e, reg);
@@ -103,7 +103,7 @@ static bool operand(compiler *c, vs_core_node *n, uint32_t *reg) {
   return vs_emit_register(&c->e, reg) && gen(c, n, *reg);
 }
 
-/* Returns true if evaluating n assigns v, which is in a register, or if that is not certain. */
+/* Returns true if evaluating n may assign the variable v, whose value is in a register. */
 static bool writes(const vs_core_node *n, const vs_var *v, int depth) {
   if (!n) return false;
   if (depth > 6) return true;
@@ -121,8 +121,8 @@ static bool writes(const vs_core_node *n, const vs_var *v, int depth) {
   }
 }
 
-/* Sets *reg to a register with the value of argument i of a call. If a later argument may assign the variable, the
- * register contains a copy. */
+/* Sets *reg to a register with the value of argument i of a call. If the argument is a variable that a later argument
+ * may assign, the register contains a copy. */
 static bool operand_of(compiler *c, vs_core_node *call, uint32_t i, uint32_t *reg) {
   vs_core_node *n = call->as.call.at[i];
   bool written = false;
@@ -174,7 +174,7 @@ static bool near(compiler *c, uint32_t *reg, unsigned i) {
   return true;
 }
 
-/* Operands B and C of an instruction. registers: number of these operands that are registers; registers precede
+/* Operands B and C of an instruction. registers: how many of them are registers (0 to 2); registers precede
  * constants. */
 typedef struct { uint32_t b, c; unsigned registers; } operands;
 
@@ -189,8 +189,8 @@ static bool emit_value_op(compiler *c, const vs_core_node *n, unsigned op, uint3
   return vs_emit_word(&c->e, VS_INSX(VS_O_FARSTORE, target, to));
 }
 
-/* Evaluates the arguments of a call to new consecutive registers. Sets *ok to false if there are more than an
- * instruction can name. */
+/* Evaluates the arguments of a call to new consecutive registers. Sets *first to the first of them. Sets *ok to false,
+ * without evaluating, if instructions cannot name that many registers. */
 static bool in_a_row(compiler *c, vs_core_node *n, uint32_t *first, bool *ok) {
   *ok = c->e.next + n->count < VS_NEAR;
   if (!*ok) return true;
@@ -343,7 +343,7 @@ static bool test(compiler *c, vs_core_node *n, bool sense, vs_jumps *list) {
     case VS_AST_IF: {
       vs_jumps no = 0, end = 0;
       vs_core_node *otherwise = n->as.branch.otherwise;
-      /* The expression (and a b): jumps if a or b is false. */
+      /* The expression (and a b), with a jump if its value is false: jumps if a is false, and if b is false. */
       if (!sense && otherwise && otherwise->kind == VS_AST_CONST && pool(c, otherwise->as.constant) == VS_FALSE)
         return test(c, n->as.branch.test, false, list) && test(c, n->as.branch.then, false, list);
       if (!test(c, n->as.branch.test, false, &no) || !test(c, n->as.branch.then, sense, list) ||
@@ -436,8 +436,8 @@ static bool gen_lambda(compiler *c, vs_core_node *lambda, uint32_t to) {
 /* ---- calls ---- */
 static bool gen_loop_call(compiler *c, vs_core_node *n, uint32_t to);
 
-/* Allocates the registers of a call with `count` arguments: procedure, return slot, arguments. Sets *first to the first
- * of them. This is `to` if `reuse` permits. */
+/* Allocates the first two registers of a call with `count` arguments: procedure and return slot. Sets *first to the
+ * register of the procedure. It is `to` if `reuse` is true and `to` is the last register in use. */
 static bool window(compiler *c, uint32_t count, bool reuse, uint32_t to, uint32_t *first) {
   vs_emit *e = &c->e;
   if (reuse && to < VS_NEAR && to + 1 == e->next && to + 2 + count < VS_NEAR) {
@@ -516,8 +516,8 @@ static bool reads(const vs_core_node *n, const vs_var *v, int depth) {
   }
 }
 
-/* Returns true if the value of n may be computed in a register that n also reads: only the last instruction of n writes
- * the register. */
+/* Returns true if n can be computed directly in a register that n also reads, because only the last instruction of n
+ * writes to its target. */
 static bool lands_last(compiler *c, const vs_core_node *n) {
   const vs_native *native;
   if (n->kind != VS_AST_CALL)
@@ -588,7 +588,8 @@ static bool gen_let(compiler *c, vs_core_node *n, uint32_t to) {
   return true;
 }
 
-/* Creates the closures of the variables from `from` to `to` - 1 of a FIX, which may capture each other. */
+/* Creates the closures of the variables number `from` to `to` - 1 of the FIX n. These closures may capture each
+ * other. */
 static bool gen_run(compiler *c, vs_core_node *n, uint32_t from, uint32_t to) {
   vs_emit *e = &c->e;
   uint32_t keep = e->next, temp;
@@ -613,8 +614,7 @@ static bool gen_run(compiler *c, vs_core_node *n, uint32_t from, uint32_t to) {
       if (vs_info(g)->fix != n || boxed(g) || vs_info(g)->lambda != e->lambda) continue;
       uint32_t j = i;
       while (j < to && n->as.let.vars[j] != g) j++;
-      if (j == to) continue;                   /* a variable that already had its value when it was captured needs no
-                                                * patch */
+      if (j == to) continue;                   /* g had its value before v's closure was created */
       uint32_t closure = v->reg;
       if (boxed(v) && (!vs_emit_register(e, &temp) || !vs_emit_op(e, VS_O_UNBOX, temp, v->reg, 0))) return false;
       if (boxed(v)) closure = temp;
@@ -878,8 +878,8 @@ static bool gen_parameters(compiler *c, vs_core_node *l) {
   return !rest || !boxed(rest) || vs_emit_op(e, VS_O_BOX, rest->reg, rest->reg, 0);
 }
 
-/* Returns the procedure's documentation, a string at the start of its body that is followed by other expressions, or
- * #f. */
+/* Returns the procedure's documentation or #f. The documentation is a string at the start of its body that other
+ * expressions follow. */
 static vs_value doc_of(const compiler *c, const vs_core_node *body) {
   if (body->kind == VS_AST_SEQ && body->count > 1 && body->as.seq.at[0]->kind == VS_AST_CHECK)
     body = body->as.seq.at[body->count - 1];

@@ -4,9 +4,9 @@
 
 #include "vm/front/ast.h"
 
-/* Sets *out to a procedure without arguments that evaluates `body`. The tree may be cleared afterwards. Literals of the
- * pool are used without copying; the expander has already removed aliases from quoted data. Returns false with the
- * error set. */
+/* Sets *out to a procedure without arguments that evaluates `body`. The tree may be cleared afterwards. The code
+ * contains the constants of the tree's pool themselves, not copies; the expander has already removed aliases (renamed
+ * identifiers) from quoted data. Returns false with the error set. */
 bool vs_compile(vs_scheme *vm, vs_ast *ast, vs_core_node *body, vs_value *out);
 
 #endif

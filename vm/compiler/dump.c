@@ -13,7 +13,7 @@ static const char *const names[VS_O_COUNT] = {
 #undef VS_OP
 };
 
-/* Appends the constant to which an instruction refers: the name of a global variable, or a literal. */
+/* Appends constant number `index` of the code to the text: the name of a global variable, or a literal. */
 static bool put_constant(vs_scheme *vm, vs_value code, uint32_t index, vs_text *t) {
   if (index >= vs_as_vector(vs_as_code(code)->consts)->length) return true;
   vs_value v = vs_code_consts(vs_as_code(code))[index];

@@ -3,9 +3,9 @@
  * procedure and its arguments. The data for the next call are therefore at fixed positions below the activation of the
  * called procedure.
  *
- * The results are a list. It grows at its end as long as no continuation can return to the shorter list. Once a
- * continuation was created, the list grows at its front, in reverse order. Its pairs are then never changed, and a copy
- * reverses it at the end. */
+ * The results are a list. New results are appended at its end as long as no continuation can return to an earlier,
+ * shorter state of the list. Once a continuation was created, new results are put at the front, in reverse order. The
+ * list's pairs are then never changed, and at the end a copy in the right order is made. */
 #ifndef VS_VM_COMPILER_EACH_H
 #define VS_VM_COMPILER_EACH_H
 
@@ -21,23 +21,23 @@ enum {
   VS_EACH_WINDOW
 };
 
-/* Adds the result of a call, row[VS_EACH_WINDOW], to the row's results. Returns false when memory is out or a limit is
- * reached. */
+/* Adds the result of a call, row[VS_EACH_WINDOW], to the list row[VS_EACH_RESULTS]. Returns false when memory is out or
+ * a limit is reached. */
 bool vs_each_keep(vs_scheme *vm, vs_value *row);
 
 /* Completes a row of registers: sets row[VS_EACH_RESULTS] to the final list. Returns false when memory is out or a
  * limit is reached. */
 bool vs_each_end(vs_scheme *vm, vs_value *row);
 
-/* Called when a procedure that EACH has called is about to return v; `base` is its activation. Adds v to the results,
- * and prepares the next call in the same activation. No continuation was created during the call, since it would have
- * moved the row. Returns 1 if there is a next element, and 2 if there is none. Returns 0, without effect, if the
- * instruction MORE must do the work. Allocates only in the nursery, and moves nothing. */
+/* Called when a procedure that EACH has called is about to return v. base: the procedure's activation. Adds v to the
+ * results, and prepares the next call in the same activation. No continuation was created during the call, since it
+ * would have moved the row of registers. Returns 1 if the list has a next element, and 2 if it has none. Returns 0,
+ * without effect, if the instruction MORE must do this instead. Allocates only in the nursery, and moves no objects. */
 static inline int vs_each_again(vs_scheme *vm, vs_value *base, vs_value v) {
   vs_value *row = base - 2 - VS_EACH_WINDOW, last = row[VS_EACH_LAST], list = row[VS_EACH_LIST];
   if (base[-2] != row[VS_EACH_PROCEDURE] || vm->fuel <= 1) return 0;
   if (last == VS_FALSE) {
-    if (vs_is_object(v)) return 0;        /* MORE must report an object that the program does not use */
+    if (vs_is_object(v)) return 0;        /* MORE must report the unused value */
   } else {
     if (vs_is(v, VS_T_VALUES) || vm->end - vm->free < (ptrdiff_t)sizeof(vs_pair)) return 0;
     if (last != VS_NIL && !vs_gc_is_young(vm, vs_as_pair(last))) return 0;
@@ -56,7 +56,8 @@ static inline int vs_each_again(vs_scheme *vm, vs_value *base, vs_value v) {
   return 1;
 }
 
-/* A register of the row of EACH, addressed from the base of the called activation. */
+/* Register `which` of the row of the instruction EACH (each.h). base: the activation of the procedure that EACH has
+ * called. */
 #define VS_EACH_BELOW(base, which) ((base)[(which) - VS_EACH_WINDOW - 2])
 
 #endif

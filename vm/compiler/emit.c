@@ -47,8 +47,8 @@ static bool far_copy(vs_emit *e, unsigned op, uint32_t scratch, uint32_t far) {
   return vs_emit_word(e, VS_INSX(op, scratch, far));
 }
 
-/* Copies operands that are read from registers with numbers from VS_FAR to scratch registers. Sets *store to the
- * register for the result if it has such a number, otherwise to VS_NO_REGISTER. */
+/* Copies operands from registers with numbers from VS_FAR, which instructions cannot name, to scratch registers. Sets
+ * *store to the result's register if it has such a number, otherwise to VS_NO_REGISTER. */
 static bool operands(vs_emit *e, unsigned op, uint32_t r[3], uint32_t *store) {
   const char *how = vs_op_operands(op);
   *store = VS_NO_REGISTER;
@@ -83,7 +83,7 @@ bool vs_emit_op1(vs_emit *e, unsigned op, uint32_t a, uint32_t b, uint32_t c, ui
 bool vs_emit_branch(vs_emit *e, unsigned op, uint32_t a, uint32_t b, uint32_t c, vs_jumps *list) {
   uint32_t r[3] = {a, b, c}, store;
   if (!operands(e, op, r, &store) || !encode(e, op, r) || !vs_emit_word(e, *list)) return false;
-  *list = (uint32_t)e->count;                 /* a list of jumps is 1 + index of its last offset word */
+  *list = (uint32_t)e->count;                 /* the list of jumps is 1 + index of its last offset word */
   return true;
 }
 
@@ -95,8 +95,8 @@ bool vs_emit_back(vs_emit *e, unsigned op, uint32_t target) {
 void vs_emit_here(vs_emit *e, vs_jumps list) {
   while (list) {
     uint32_t at = list - 1, before = e->ins[at];
-    VS_ASSERT(at < e->count && before < list); /* follows the list of jumps backwards: each offset word contains the
-                                                * previous element */
+    VS_ASSERT(at < e->count && before < list); /* goes backwards through the jumps: each offset word contains the list
+                                                * of the jumps before it */
     e->ins[at] = (uint32_t)(e->count - at - 1);
     list = before;
   }
@@ -131,8 +131,8 @@ bool vs_emit_inlined(vs_emit *e, uint32_t cell) {
   return true;
 }
 
-/* Returns true for a variable of the source text that a debugger should show. Procedures defined within a body are
- * omitted. */
+/* Returns true if the debugger shows the variable: it is in the source text, and is no procedure that is defined within
+ * a body. */
 static bool worth_showing(const vs_emit *e, const vs_var *v) {
   vs_value name = e->ast->pool[v->name];
   return e->ast->vm->config.keep_calls && !v->introduced && !v->value && vs_is_symbol(name) &&
@@ -152,7 +152,7 @@ void vs_emit_scope_end(vs_emit *e, size_t first) {
     if (e->variables[i].to == UINT32_MAX) e->variables[i].to = (uint32_t)e->count;
 }
 
-/* Adds the captured variables to the table of variables. */
+/* Adds the captured variables to the debugger's table of variables. */
 static bool captured_variables(vs_emit *e) {
   const vs_lambda_info *f = e->lambda->as.lambda.extra;
   for (uint32_t i = 0; i < f->free_count; i++) {
@@ -163,7 +163,7 @@ static bool captured_variables(vs_emit *e) {
   return true;
 }
 
-/* Adds the table of variables, if it is not empty, to code->places. */
+/* Adds the debugger's table of variables, if it is not empty, to code->places. */
 static bool add_variables(vs_emit *e, vs_code *c) {
   vs_scheme *vm = e->ast->vm;
   VS_ROOTS(vm, r, 2);
@@ -182,7 +182,8 @@ static bool add_variables(vs_emit *e, vs_code *c) {
   return true;
 }
 
-/* Allocates bytes in old space, where objects do not move, since the interpreter keeps addresses of these bytes. */
+/* Copies n bytes to a new object in old space, where objects do not move. The interpreter keeps addresses of these
+ * bytes. */
 static bool old_bytes(vs_scheme *vm, const void *at, size_t n, vs_value *out) {
   vs_bytes *b = (vs_bytes *)(void *)vs_gc_alloc_old(vm, VS_T_BYTES, 2 + (n + 7) / 8);
   if (!b) return false;

@@ -11,8 +11,8 @@
 enum { VS_NEAR = 240, VS_FAR = 256, VS_MOST_REGISTERS = 60000 };
 #define VS_NO_REGISTER UINT32_MAX
 
-/* A variable in the table of variables for a debugger. name: index in the tree's pool of constants; other members as in
- * code.h. */
+/* An entry of the debugger's table of variables. name: index in the tree's pool of constants; the other members are as
+ * in code.h. */
 typedef struct vs_named_register { uint32_t name; int64_t where; uint32_t from, to; } vs_named_register;
 
 typedef struct vs_emit {
@@ -26,12 +26,12 @@ typedef struct vs_emit {
                                                               * pool */
   vs_place *places; size_t place_count, place_room;
   vs_inlined *inlined; size_t inlined_count, inlined_room;
-  /* table of variables for a debugger; used only if the interpreter records the calls that lead to errors */
+  /* the debugger's table of variables; used only if the interpreter records the calls that lead to errors */
   vs_named_register *variables; size_t variable_count, variable_room;
 } vs_emit;
 
-typedef uint32_t vs_jumps;            /* List of jumps to be patched: 0, or 1 + index of the last offset word, which
-                                       * contains the previous element. */
+typedef uint32_t vs_jumps;            /* List of jumps whose targets are not known yet: 0, or 1 + index of the last
+                                       * jump's offset word, which contains the list of the jumps before it. */
 
 void vs_emit_close(vs_emit *e);
 bool vs_emit_register(vs_emit *e, uint32_t *out);                         /* allocates the next register and marks it as
@@ -50,10 +50,11 @@ bool vs_emit_constant(vs_emit *e, uint32_t pool_index, uint32_t *out);
 bool vs_emit_value(vs_emit *e, vs_value v, uint32_t *out);                /* Sets *out to the index of the value among
                                                                            * this procedure's constants. */
 bool vs_emit_place(vs_emit *e, vs_pos pos);                               /* Sets the place of the next instruction. */
-/* Records that the next instruction replaces a call of the procedure in this cell, a constant. */
+/* Records that the next instruction replaces a call of a global procedure. cell: index of the constant that is the
+ * procedure's cell. */
 bool vs_emit_inlined(vs_emit *e, uint32_t cell);
-/* Records that from the next instruction on the variable is in its register. The function vs_emit_scope_end(e, first)
- * ends this for the variable with index `first` and all later ones. */
+/* Records that the variable is in its register from the next instruction on, until a call vs_emit_scope_end(e, first).
+ * That call ends the scope of entry `first` of the table of variables and of all later entries. */
 bool vs_emit_variable(vs_emit *e, const vs_var *v);
 void vs_emit_scope_end(vs_emit *e, size_t first);
 /* Stores the emitted instructions in `code`, which is an object in old space. */

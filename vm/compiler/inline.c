@@ -3,7 +3,8 @@
 
 #include "vm/values/flat.h"
 
-/* The column "with immediate" of inline.def is an opcode; in rows of kind TYPE it is a type of objects. */
+/* Converts the column "with immediate" of inline.def to an opcode. In rows of kind TYPE, this column is a type of
+ * objects. */
 #define IMMEDIATE_VALUE(x) VS_O_##x
 #define IMMEDIATE_TEST(x) VS_O_##x
 #define IMMEDIATE_EFFECT(x) VS_O_##x

@@ -1,5 +1,5 @@
-/* Declares the search for natives whose calls are compiled to one instruction: rows of inline.def, and the host's
- * procedures that create and read flat records (points and vectors). */
+/* Declares the search for natives whose calls are compiled to one instruction. They are the rows of inline.def, and the
+ * host's procedures that create and read flat records (points and vectors). */
 #ifndef VS_VM_COMPILER_INLINE_H
 #define VS_VM_COMPILER_INLINE_H
 
@@ -20,7 +20,8 @@ typedef enum {
 enum { VS_ANY_COUNT = 255 };    /* value of vs_inline_row.args for any number of arguments, at least one */
 typedef struct vs_inline_row { const char *name; uint8_t args, way, op, immediate, many; } vs_inline_row;
 
-/* Sets *row to the number of the row for a native of this name (0: none), and *arg to its index in the host's table. */
+/* Sets *row to the row number of the native with this name, or to 0 if there is none, and *arg to the native's index in
+ * the host's table. */
 void vs_inline_find(const vs_scheme *vm, const char *name, size_t length, uint32_t *row, uint32_t *arg);
 const vs_inline_row *vs_inline_get(uint32_t row);
 

@@ -7,8 +7,8 @@
 #include "vm/machine/vs.h"
 #include "vm/numbers/number.h"
 
-/* Converts n numbers in registers to doubles for a flat record. Returns false, without an error, if one is no finite
- * number. */
+/* Converts the n values at `at` to doubles d, for a flat record. Returns false, without an error, if a value is no
+ * finite number. */
 static inline bool flat_numbers(const vs_value *at, size_t n, double *d) {
   for (size_t i = 0; i < n; i++) {
     if (vs_is_double(at[i])) d[i] = vs_double(at[i]);
@@ -37,9 +37,9 @@ static inline bool to_double(vs_value v, double *d) {
   return false;
 }
 
-/* Applies the host's binary procedure of this row to x and y. Stores the result in d: three numbers, or a single
+/* Applies the host's binary procedure number `row` to x and y. Stores the result in d: three numbers, or a single
  * number. Returns the tag of the resulting record, or 0 for a number. Returns a negative number if the procedure itself
- * must be called: for other operands, or if a result is not finite. */
+ * must be called: for operands of other types, or if a result is not finite. */
 static inline int flat_binary(const vs_flat_rules *rules, uint32_t row, vs_value x, vs_value y, double *d) {
   int kind = rules->binary[row].kind, result = rules->binary[row].result;
   if (!vs_is_flat(x, rules->binary[row].left)) return -1;
@@ -83,7 +83,7 @@ static inline bool quick_double(vs_flat_op op, vs_value a, vs_value b, vs_value 
   switch (op) {
     case VS_OP_ADD: x += y; break;
     case VS_OP_SUB: x -= y; break;
-    case VS_OP_MUL:      /* an exact 0 times a double is 0.0, as the procedure * computes it */
+    case VS_OP_MUL:      /* an exact 0 times a double is 0.0, as in the procedure * */
       x *= y; break;
     case VS_OP_DIV: if (b == vs_fix(0)) return false; x /= y; break;
     default: return false;
@@ -92,8 +92,8 @@ static inline bool quick_double(vs_flat_op op, vs_value a, vs_value b, vs_value 
   return true;
 }
 
-/* Computes a op b for fixnums and doubles. Returns false for other operands, or if a fixnum overflows. Sums use the
- * upper 48 bits, where the processor detects overflow. */
+/* Computes a op b for fixnums and doubles. Returns false for other operands, or if a fixnum overflows. Fixnums are
+ * computed in the upper 48 bits of a word, where the processor detects overflow. */
 static inline bool quick(vs_flat_op op, vs_value a, vs_value b, vs_value *out) {
   if (!both_fixnums(a, b)) return quick_double(op, a, b, out);
   int64_t i, j, r;

@@ -1,5 +1,6 @@
-/* Implements (%renamed procedure name), by which the library gives a procedure a second name. The code is copied, and
- * every constant with the old name is replaced, so that errors show the name that the program uses. */
+/* Implements (%renamed procedure name), by which the library gives a procedure a second name. The procedure's code is
+ * copied, and the new name replaces every constant that is the old name. Errors then show the name that the program
+ * uses. */
 #include "vm/compiler/code.h"
 #include "vm/machine/native.h"
 

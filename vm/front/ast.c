@@ -58,8 +58,8 @@ void *vs_ast_alloc(vs_ast *ast, size_t bytes) {
 }
 
 bool vs_ast_const(vs_ast *ast, vs_value v, uint32_t *index) {
-  /* Searches only the latest constants, since equal constants are mostly close together. The compiler later merges all
-   * equal constants of a procedure. */
+  /* Searches only the latest 16 constants, since equal constants are mostly close together. The compiler later merges
+   * all equal constants of a procedure. */
   size_t from = ast->pool_count > 16 ? ast->pool_count - 16 : 0;
   for (size_t i = ast->pool_count; i-- > from;)
     if (ast->pool[i] == v) { *index = (uint32_t)i; return true; }

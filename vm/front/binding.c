@@ -9,8 +9,8 @@
 #include "vm/values/printer.h"
 #include "vm/values/text.h"
 
-/* Reports (let (x 5) ...) and (do (i 0 (+ i 1)) ...), which lack the parentheses around all bindings. step: the form is
- * `do`. Returns false, without an error, for other bindings. */
+/* Reports a binding that lacks the parentheses around all bindings: (let (x 5) ...) or (do (i 0 (+ i 1)) ...). step:
+ * the form is `do`, whose bindings have a third part. Returns false, without an error, if `list` is no such binding. */
 static bool fail_bare(vs_expansion *x, vs_value list, vs_pos outer, int form, bool step) {
   int64_t n = vs_list_length(list);
   if ((n != 2 && !(step && n == 3)) || !vs_is_identifier(vs_car(list))) return false;
@@ -107,8 +107,8 @@ static bool named_let(vs_expansion *x) {
          push_values(x, vs_car(vs_cdr(vs_cdr(x->now.form))), x->now.env, call->as.call.at, NULL, x->now.depth + 2);
 }
 
-/* Stores the names of this let that are not defined outside it. If a value of this let uses such a name, the error
- * message suggests let*. */
+/* Stores the names that this let binds and that have no binding outside it. If a value of this let refers to such a
+ * name, the error message then suggests let*. */
 static bool mention_let_star(vs_expansion *x, vs_value list) {
   VS_ROOTS(x->vm, r, 2);
   for (r[0] = list; vs_is_pair(vs_cdr(r[0])); r[0] = vs_cdr(r[0])) {
@@ -134,9 +134,9 @@ static size_t returning_again(vs_value list) {
   return n;
 }
 
-/* Completes a letrec whose last `again` values may be computed a second time, by a continuation. Their variables are
- * boxes that are set when all these values have been computed: FIX (procedure value) ... (a' value) ... (a a') ... with
- * hidden names a'. */
+/* Completes a letrec whose last `again` values may be computed a second time, when a continuation returns to them. The
+ * variables of these values are boxes that are set after all the values have been computed: FIX (procedure value) ...
+ * (a' value) ... (a a') ... with hidden names a'. */
 static bool letrec_apart(vs_expansion *x, vs_core_node *fix, vs_var **vars, size_t again, vs_value env,
                          uint32_t depth) {
   VS_ROOTS(x->vm, r, 2);
@@ -192,8 +192,8 @@ static bool binding_form(vs_expansion *x, int form, int kind) {
 }
 
 bool vs_form_let(vs_expansion *x) { return binding_form(x, VS_FORM_let, VS_AST_LET); }
-/* Expands a let whose variables may be assigned in their registers, because no continuation created in it is entered
- * twice. */
+/* Expands a let whose variables may be assigned in their registers, because no continuation that is created in its body
+ * is called twice. */
 bool vs_form_let_registers(vs_expansion *x) {
   vs_core_node **into = x->now.into;
   if (!binding_form(x, VS_FORM_let_registers, VS_AST_LET)) return false;
@@ -293,8 +293,9 @@ bool vs_form_do(vs_expansion *x) {
   return push_values(x, vs_car(vs_cdr(x->now.form)), x->now.env, call->as.call.at, NULL, x->now.depth + 2);
 }
 
-/* Binds macros in a scope. If their transformers are all syntax-rules, they are bound directly. Otherwise they become
- * define-syntax forms at the start of a body, which can wait for the values of transformers. */
+/* Binds the macros of let-syntax or letrec-syntax in a new scope. If all transformers are syntax-rules, they are bound
+ * directly. Otherwise they become define-syntax forms at the start of a body, which can wait for the transformers'
+ * values. */
 static bool syntax_binding(vs_expansion *x, bool recursive, int form) {
   vs_scheme *vm = x->vm;
   if (vs_list_length(x->now.form) < 3) return vs_expand_shape(x, form);

@@ -1,11 +1,14 @@
 /* Expands definitions: bodies, the top level, define, define-syntax and transformers.
  *
- * A body is expanded form by form. Macros at the head of a form are expanded until it is a definition, a `begin` or an
- * expression. The name of a definition is bound at once, and the form of its value is stored; the forms of a `begin`
- * are inserted. When all names are known, the stored forms are expanded. All definitions, with the expressions between
- * them, become one FIX (letrec*), and the expressions after the definitions become its body. The stored forms are a
- * list, newest first, of vectors #(variable form place parameters). The variable is a fixnum address, or #f for an
- * expression. For a plain value, parameters is VS_ABSENT. Otherwise form is the procedure's body. */
+ * A body is expanded form by form. The macro at the head of a form is expanded until the form is a definition, a
+ * `begin` or an expression. The name of a definition is bound at once, and the form of its value is stored; the forms
+ * of a `begin` are inserted into the body. When all names are known, the stored forms are expanded. All definitions,
+ * with the expressions between them, become one FIX (letrec*), and the expressions after the last definition become its
+ * body.
+ *
+ * The stored forms are a list, newest first, of vectors #(variable form place parameters). The variable is a fixnum
+ * address, or #f for an expression. If a procedure is defined, `form` is the procedure's body; otherwise `parameters`
+ * is VS_ABSENT. */
 #include "vm/front/body.h"
 
 #include "vm/front/derived_syntax.h"
@@ -20,14 +23,14 @@
 
 
 /* ---- the parts of a define ---- */
-/* Returns true for a list of names alone, none of which is an operator. */
+/* Returns true if all elements of the list are names, none of which is an operator. */
 static bool is_parameter_list(vs_value list) {
   for (; vs_is_pair(list); list = vs_cdr(list))
     if (!vs_is_symbol(vs_car(list)) || strchr("+-*/<>=", *vs_as_symbol(vs_car(list))->name)) return false;
   return list == VS_NIL;
 }
 
-/* Reports (define f (x) body): the name must be inside the parentheses of the parameters. */
+/* Reports the mistake (define f (x) body): the name f must be inside the parentheses of the parameters. */
 static bool fail_split(vs_expansion *x, vs_pos pos, const char *name, vs_value parameters) {
   char shown[200];
   size_t used = 0;
@@ -106,8 +109,7 @@ bool vs_expand_transformer(vs_expansion *x, vs_value spec, vs_value env, vs_valu
   r[0] = spec; r[1] = env;
   *done = true;
   vs_pos pos = vs_form_pos(spec, x->now.pos);
-  if (vs_is(spec, VS_T_MACRO)) {                      /* the value of a transformer expression, which is already a
-                                                       * macro */
+  if (vs_is(spec, VS_T_MACRO)) {                      /* spec is the value of a transformer expression, a macro */
     vs_macro *m = (vs_macro *)(void *)vs_gc_alloc(vm, VS_T_MACRO, VS_WORDS(vs_macro));
     if (!m) return false;
     const vs_macro *from = vs_as_macro(r[0]);
@@ -138,8 +140,8 @@ bool vs_expand_transformer(vs_expansion *x, vs_value spec, vs_value env, vs_valu
   return true;
 }
 
-/* Binds (define-syntax name spec) in env. (define-syntax-rule ...) is a macro of the prelude. Sets *wait if a procedure
- * must be called first, whose value replaces spec. */
+/* Binds the macro of (define-syntax name spec) in env. (define-syntax-rule ...) is a macro of the prelude. Sets *wait
+ * to true if a procedure must be called first; its value then replaces spec. */
 static bool define_syntax(vs_expansion *x, vs_value form, vs_value env, bool *wait) {
   VS_ROOTS(x->vm, r, 3);
   r[0] = form; r[1] = env;
@@ -153,7 +155,7 @@ static bool define_syntax(vs_expansion *x, vs_value form, vs_value env, bool *wa
   return vs_environment_bind(x->vm, r[1], vs_car(vs_cdr(r[0])), r[2]);
 }
 
-/* Replaces the spec of (define-syntax name spec) by the value. */
+/* Sets *out to the form (define-syntax name spec) with `value` in the place of spec. */
 static bool with_value(vs_scheme *vm, vs_value form, vs_value value, vs_pos pos, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   r[0] = form;
@@ -199,7 +201,7 @@ static bool expand_kept(vs_expansion *x, vs_value kept, vs_core_node **into, uin
 static bool finish_body(vs_expansion *x) {
   vs_scheme *vm = x->vm;
   size_t total = 0, defined = 0;                    /* total: number of stored forms of the body; defined: number of
-                                                     * these up to the last definition */
+                                                     * stored forms up to the last definition */
   for (vs_value l = x->now.acc; vs_is_pair(l); l = vs_cdr(l)) {
     if (!defined && vs_is_fixnum(vs_as_vector(vs_car(l))->at[0])) defined = 1;
     else if (defined) defined++;
@@ -225,9 +227,8 @@ static bool finish_body(vs_expansion *x) {
   }
   uint32_t depth = x->now.depth + (fix != NULL) + (seq != NULL);
   bool ok = true;
-  for (size_t i = total; ok && i-- > 0; r[0] = vs_cdr(r[0])) {      /* pushes the tasks from the newest form to the
-                                                                     * oldest, so that they run in the order of the
-                                                                     * text */
+  for (size_t i = total; ok && i-- > 0; r[0] = vs_cdr(r[0])) {      /* pushes the tasks newest first, so that they run
+                                                                     * in the order of the text */
     const vs_vector *v = vs_as_vector(vs_car(r[0]));
     if (i >= defined) {
       ok = expand_kept(x, vs_car(r[0]), seq ? &seq->as.seq.at[i - defined] : into, depth);
@@ -307,7 +308,7 @@ bool vs_body_step(vs_expansion *x) {
   return finish_body(x);
 }
 
-/* Continues a task of a body or of the top level with the value for which it waited. */
+/* Continues a task of a body or of the top level that waited for the result of a call; `value` is this result. */
 bool vs_body_resume(vs_expansion *x, vs_value value) {
   vs_scheme *vm = x->vm;
   VS_ROOTS(vm, r, 1);
@@ -349,7 +350,7 @@ bool vs_top_step(vs_expansion *x) {
   if (!vs_expand_settle(x, &r[0], &m, &pos)) return false;
   x->now.form = r[0];
   x->now.pos = pos;
-  /* The transformer of a macro that is defined in a body. */
+  /* The form is the transformer expression of a macro that is defined in a body. */
   if (!vs_is_top(x->now.env)) return vs_expand_push(x, VS_TASK_EXPR, r[0], x->now.env, pos, x->now.into, 0);
   int form = m.kind == VS_MEANS_MACRO ? (int)vs_fixnum(vs_as_macro(m.value)->kind) : vs_unit_word(&m);
   if (form != VS_FORM_begin && form != VS_FORM_import && form != VS_FORM_define_library &&
@@ -377,7 +378,7 @@ bool vs_top_step(vs_expansion *x) {
       return vs_expand_lambda(x, &lambda, &n->as.global.value);
     }
     if (!vs_expand_push(x, VS_TASK_EXPR, r[3], x->now.env, pos, &n->as.global.value, 1)) return false;
-    /* the variable's name becomes the name of the lambda that is its value */
+    /* The variable's name becomes the name of the lambda that is its value. */
     return (vs_expand_top(x)->var = vs_ast_var(&x->ast, vs_identifier_symbol(r[1]))) != NULL;
   }
   case VS_FORM_define_syntax: {

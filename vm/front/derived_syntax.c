@@ -82,7 +82,7 @@ bool vs_form_define_record_type(vs_expansion *x, vs_value *form) {
       return vs_expand_fail(x, vs_element_pos(l, false, pos), f,
                             "a field is (name accessor) or (name accessor modifier), not");
   }
-  /* Creates the definition of the record type. */
+  /* Adds the definition of the record type. */
   r[A] = VS_NIL;
   for (l = r[FIELDS]; vs_is_pair(l); l = vs_cdr(l)) {          /* collects the fields' names, newest first; they are
                                                                 * reversed below */
@@ -96,7 +96,7 @@ bool vs_form_define_record_type(vs_expansion *x, vs_value *form) {
   VS_ROOTS(vm, p, 5);
   p[0] = r[C]; p[1] = r[D];
   if (!make(vm, "%make-record-type", 2, p, &r[C]) || !define(vm, r[NAME], r[C], pos, &r[OUT])) return false;
-  /* Creates the definition of the constructor. */
+  /* Adds the definition of the constructor. */
   if (r[MAKER] != VS_FALSE) {
     if (r[MAKER] == VS_TRUE)
       return vs_expand_fail(x, pos, VS_ABSENT, "define-record-type: the constructor needs a name: %s",
@@ -147,7 +147,7 @@ bool vs_form_define_record_type(vs_expansion *x, vs_value *form) {
   return vs_core_name(vm, "begin", &r[B]) && vs_cons_at(vm, r[B], r[A], pos, form);
 }
 
-/* Rewrites (include "a" "b" ...) to a `begin` with the forms of all these files. */
+/* Rewrites (include "a" "b" ...) to a `begin` that contains the forms of all these files. */
 static bool include(vs_expansion *x, vs_value *form, bool fold) {
   vs_scheme *vm = x->vm;
   vs_pos pos = x->now.pos;
@@ -174,7 +174,7 @@ static bool include(vs_expansion *x, vs_value *form, bool fold) {
 bool vs_form_include(vs_expansion *x, vs_value *form) { return include(x, form, false); }
 bool vs_form_include_ci(vs_expansion *x, vs_value *form) { return include(x, form, true); }
 
-/* (syntax-error "message" form ...): reports an error in the use of a macro. */
+/* Implements (syntax-error "message" form ...), by which a macro reports an error in its use. */
 bool vs_form_syntax_error(vs_expansion *x, vs_value *form) {
   vs_scheme *vm = x->vm;
   vs_value l = vs_cdr(*form);
@@ -219,8 +219,8 @@ static bool is_word(vs_value v, const char *word) {
   return vs_is_identifier(v) && !strcmp(vs_as_symbol(vs_identifier_symbol(v))->name, word);
 }
 
-/* Returns 1 if the requirement is fulfilled, 0 if not, and -1 with the error set. The nesting of requirements is
- * limited. */
+/* Returns 1 if the requirement q of a cond-expand clause is fulfilled, 0 if not, and -1 with the error set. The nesting
+ * of requirements is limited. */
 static int holds(vs_expansion *x, vs_value q, int depth) {
   if (depth > 50) return vs_expand_fail(x, x->now.pos, VS_ABSENT, "this requirement is nested too deeply") - 1;
   if (vs_is_identifier(q)) {

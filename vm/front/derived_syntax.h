@@ -4,10 +4,10 @@
 
 #include "vm/front/expand.h"
 
-/* Sets *out to an alias of a name of the library, for use in rewritten forms: it has this meaning even if the program
- * redefines the name. */
+/* Sets *out to an alias (a renamed identifier) of a name of the library, for use in rewritten forms. The alias refers
+ * to the library's binding even if the program redefines the name. */
 bool vs_core_name(vs_scheme *vm, const char *name, vs_value *out);
-/* Sets *out to a list of the n items, which are roots of the garbage collector. */
+/* Sets *out to a list of n items. `items` are roots of the garbage collector. */
 bool vs_make_form_list(vs_scheme *vm, vs_value *out, size_t n, const vs_value *items);
 bool vs_features(vs_scheme *vm, vs_value *out);
 bool vs_cond_expand(vs_expansion *x, vs_value form, vs_value *forms);

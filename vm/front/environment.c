@@ -23,7 +23,8 @@ bool vs_idtable_new(vs_scheme *vm, vs_value *out) { return make(vm, FIRST_ROOM, 
 
 int64_t vs_idtable_count(vs_value table) { return vs_fixnum(vs_as_vector(table)->at[0]); }
 
-/* Returns the slot of id, or the free slot for it. The table's room is a power of two. */
+/* Returns the slot of table t that contains the identifier id, or the free slot where id belongs. The number of slots
+ * is a power of two. */
 static size_t slot(const vs_vector *t, vs_value id) {
   size_t room = (t->length - 1) / 2, i = (size_t)id_hash(id) & (room - 1);
   VS_ASSERT(room > 0 && (room & (room - 1)) == 0);
@@ -90,8 +91,8 @@ bool vs_make_alias(vs_scheme *vm, vs_value name, vs_value env, vs_value *out) {
   return true;
 }
 
-/* A stack of data to visit, for replacing aliases (renamed identifiers) by symbols. A test first finds data without
- * aliases, as most are. */
+/* Stack of data that are still to be visited, for replacing aliases (renamed identifiers) by symbols. Most data contain
+ * no aliases; a test finds this first. */
 typedef struct { vs_scheme *vm; vs_value *at; size_t count, room; struct vs_roots roots; } stack;
 static bool push(stack *s, vs_value v) {
   if (s->count == s->room) {
@@ -110,8 +111,8 @@ bool vs_datum_any(vs_scheme *vm, vs_value datum, vs_datum_test (*test)(vs_scheme
   stack s = {.vm = vm};
   bool ok = push(&s, datum);
   size_t seen = 0, lap = 1;
-  vs_value turtle = VS_FALSE;              /* detects a cyclic datum (from labels), of which a first round has visited
-                                            * everything */
+  vs_value turtle = VS_FALSE;              /* an element visited earlier, compared with the current one to detect a
+                                            * cyclic datum (one with labels) */
   *yes = false;
   while (ok && s.count && !*yes) {
     vs_value v = s.at[--s.count];
@@ -144,7 +145,7 @@ static vs_datum_test is_alias(vs_scheme *vm, vs_value v) {
   return vs_is_vector(v) && vs_object_of(v)->flags & VS_F_IMMUTABLE ? VS_DATUM_NO_MORE : VS_DATUM_NO;
 }
 
-/* Replaces *v by a copy with the same elements. */
+/* Replaces *v by a copy with the same elements. If *v is an alias, replaces it by its symbol. */
 static bool copy_level(vs_scheme *vm, vs_value *v) {
   VS_ROOTS(vm, r, 2);
   r[0] = *v;
@@ -207,8 +208,8 @@ static bool can_skip(const vs_environment *scope) {
   return scope->imports != VS_NIL && vs_fixnum(scope->name) >> DEPTH_BITS == late_bindings(scope);
 }
 
-/* Adds to *table the names of `from` that *table lacks. Their value is `scope` or, if `scope` is VACANT, the scope to
- * which `from` maps them. */
+/* Adds to *table the names of the table `from` that *table lacks. The value of each is `scope` or, if `scope` is
+ * VACANT, the value in `from`. */
 static bool skip_add(vs_scheme *vm, vs_value *table, vs_value from, vs_value scope) {
   VS_ROOTS(vm, r, 4);
   r[0] = from; r[1] = scope;
@@ -219,8 +220,8 @@ static bool skip_add(vs_scheme *vm, vs_value *table, vs_value from, vs_value sco
   return true;
 }
 
-/* Creates the table of the bindings that surround a new scope, so that a search can skip many scopes. scope points to a
- * root of the garbage collector. */
+/* Creates the table of the bindings in the scopes around a new scope. By this table a search skips these scopes.
+ * `scope` points to a root of the garbage collector. */
 static bool skip_make(vs_scheme *vm, const vs_value *scope) {
   VS_ROOTS(vm, r, 2);              /* roots of the garbage collector: the current scope on the way outwards, the
                                     * table */
@@ -325,7 +326,8 @@ void vs_environment_set_intake(vs_value env, vs_intake intake) {
 }
 void vs_environment_forget_imports(vs_value env) { vs_as_environment(env)->imports = VS_NIL; }
 
-/* Returns the binding that `from` exports for the local name `name` by `mapping`, or VS_VACANT. */
+/* Returns the binding that the environment `from` exports for the local name `name`, or VS_VACANT. The table `mapping`
+ * converts local names to names in `from`. */
 static vs_value offered(vs_value from, vs_value mapping, vs_value name) {
   vs_value there = mapping == VS_TRUE ? name : vs_idtable_get(mapping, name);
   return there == VS_VACANT ? VS_VACANT : exported(from, there, 0);
@@ -338,8 +340,8 @@ static bool same_binding(vs_value a, vs_value b) {
          vs_as_cell(a)->value == vs_as_cell(b)->value;
 }
 
-/* Returns a name for which two imports of env have different bindings, or VS_VACANT. The import of the whole library of
- * the language is not counted: any other binding replaces it. */
+/* Returns a name for which the import of `from` and an earlier import of env have different bindings, or VS_VACANT. The
+ * import of the whole library of the language is not counted, because any other binding replaces it. */
 static vs_value find_clash(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping) {
   const vs_environment *e = vs_as_environment(env);
   vs_value names = mapping != VS_TRUE                            ? mapping
@@ -359,9 +361,9 @@ static vs_value find_clash(vs_scheme *vm, vs_value env, vs_value from, vs_value 
 }
 
 /* Adapts env's existing cells of variables to an import. A cell without a definition, or with a copy of a constant,
- * gets the imported value. If env itself defines an imported name, that is the error *clash. But at the prompt the
- * import replaces the definition, and the definition stays if the import is the whole library of the language. look:
- * only searches for a clash. */
+ * gets the imported value. If env itself defines an imported name, *clash becomes this name. But at the prompt the
+ * import replaces the definition, unless it is the import of the language's whole library. look: only searches for a
+ * clash. */
 static void settle(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping, bool look, vs_value *clash) {
   vs_vector *table = vs_as_vector(vs_as_environment(env)->table);
   vs_intake intake = vs_environment_intake(env);
@@ -397,8 +399,7 @@ bool vs_environment_import(vs_scheme *vm, vs_value env, vs_value from, vs_value 
     if (mapping == VS_TRUE && vs_car(vs_car(l)) == from && vs_cdr(vs_car(l)) == VS_TRUE &&
         (whole || l == vs_as_environment(env)->imports))
       return true;
-    last = l;                                   /* only remembers the end of the list, since a library that is already
-                                                 * imported was found above */
+    last = l;                                   /* at the end of the loop, the last pair of the list */
   }
   if (vs_environment_intake(env) == VS_INTAKE_STRICT && !whole) *clash = find_clash(vm, env, from, mapping);
   if (*clash == VS_VACANT && !whole) { settle(vm, env, from, mapping, true, clash); *own = *clash != VS_VACANT; }
@@ -407,7 +408,7 @@ bool vs_environment_import(vs_scheme *vm, vs_value env, vs_value from, vs_value 
     return false;
   vs_environment *e = vs_as_environment(r[0]);
   if (!whole || last == VS_NIL) vs_gc_store(vm, e, &e->imports, r[3]);
-  else {                                        /* adds the import at the end of the list */
+  else {                                        /* adds the import at the end of the list of imports */
     for (last = e->imports; vs_is_pair(vs_cdr(last));) last = vs_cdr(last);
     vs_gc_store(vm, vs_as_pair(last), &vs_as_pair(last)->cdr, r[3]);
   }
@@ -419,7 +420,7 @@ bool vs_environment_import(vs_scheme *vm, vs_value env, vs_value from, vs_value 
 vs_meaning vs_environment_find(vs_value env, vs_value id) {
   for (;;) {
     vs_value own = VS_VACANT;
-    /* Most names of a program have no local binding anywhere: their search skips all scopes. */
+    /* Most names of a program have no local binding in any scope, so that their search skips all scopes. */
     if (!vs_is_top(env) && !(vs_object_of(id)->flags & VS_F_LOCAL)) env = vs_as_environment(env)->top;
     while (!vs_is_top(env)) {
       const vs_environment *e = vs_as_environment(env);
@@ -450,8 +451,8 @@ vs_meaning vs_environment_find(vs_value env, vs_value id) {
   return m;
 }
 
-/* Returns true if identifier a in env_a and b in env_b have one meaning. Two programs' copies of an imported constant
- * have one meaning if their names are equal. */
+/* Returns true if identifier a in env_a and identifier b in env_b refer to the same binding. Two programs' copies of an
+ * imported constant count as the same binding if their names are equal. */
 bool vs_same_meaning(vs_value env_a, vs_value a, vs_value env_b, vs_value b) {
   vs_meaning m = vs_environment_find(env_a, a), n = vs_environment_find(env_b, b);
   if (m.kind != n.kind) return false;
@@ -474,7 +475,7 @@ bool vs_environment_cell(vs_scheme *vm, const vs_meaning *m, vs_value *cell) {
   if (!vs_make_cell(vm, vs_identifier_symbol(m->id), value, &r[2])) return false;
   if (m->kind == VS_MEANS_CELL) vs_object_of(r[2])->flags |= VS_F_CONSTANT;
   if (!vs_environment_bind(vm, r[0], r[1], r[2])) return false;
-  *cell = r[2];        /* sets *cell only here, since the binding above may move the cell */
+  *cell = r[2];        /* sets *cell only now, since binding may move the cell */
   return true;
 }
 
@@ -494,7 +495,7 @@ bool vs_environment_define(vs_scheme *vm, vs_value env, vs_value id, vs_value *c
       own == VS_VACANT && m.foreign && m.kind == VS_MEANS_CELL ? vs_as_cell(m.value)->value : VS_UNDEFINED;
   if (!vs_make_cell(vm, vs_identifier_symbol(id), before, &r[2])) return false;
   if (!vs_environment_bind(vm, r[0], r[1], r[2])) return false;
-  *cell = r[2];        /* sets *cell only here, since the binding above may move the cell */
+  *cell = r[2];        /* sets *cell only now, since binding may move the cell */
   return true;
 }
 
@@ -508,7 +509,7 @@ static bool each_own(vs_value env, vs_value shown, bool (*each)(void *, vs_value
   for (size_t i = 0; vs_idtable_slot(vs_as_environment(env)->table, i, &key, &value); i++) {
     if (key == VS_VACANT || !vs_is(key, VS_T_SYMBOL) || is_private(key)) continue;
     if (vs_is(value, VS_T_CELL) && vs_as_cell(value)->value == VS_UNDEFINED) continue;
-    /* the callback has already received this name */
+    /* the name was already passed to the callback */
     if (shown != VS_VACANT && vs_idtable_get(shown, key) != VS_VACANT) continue;
     if (!each(context, key, value)) return false;
   }

@@ -15,7 +15,8 @@
 #include <stdio.h>
 
 enum { MOST_ARGUMENTS = 2000 };
-enum { DEPTH_LIMIT = 180 };   /* greatest nesting of tasks; a task adds at most two levels to the tree (VS_AST_DEPTH) */
+enum { DEPTH_LIMIT = 180 };   /* greatest nesting of tasks; a task adds at most two levels to the tree (limit:
+                               * VS_AST_DEPTH) */
 
 enum { KIND_CORE, KIND_DEFINITION, KIND_AUXILIARY, KIND_REWRITE };
 static const struct { const char *name, *shape; bool rewrite, auxiliary; } form_table[] = {
@@ -227,7 +228,7 @@ static bool not_an_expression(vs_expansion *x, vs_value id, const vs_meaning *m,
   return vs_expand_fail(x, pos, VS_ABSENT, "%s is syntax and has no value; it comes first in parentheses", name);
 }
 
-/* Returns the variable to which a local meaning m refers. If the variable belongs to another expansion, reports an
+/* Returns the variable to which the local meaning m refers. If the variable belongs to another expansion, reports an
  * error and returns NULL. */
 static vs_var *local(vs_expansion *x, const vs_meaning *m, vs_value id, vs_pos pos) {
   if (vs_as_environment(m->env)->data != vs_fix(x->serial)) {
@@ -238,8 +239,8 @@ static vs_var *local(vs_expansion *x, const vs_meaning *m, vs_value id, vs_pos p
   return (vs_var *)(uintptr_t)vs_fixnum(m->value);
 }
 
-/* Searches the local names for a name that is similar to an undefined name. m keeps its meaning, though the garbage
- * collector may move its objects. */
+/* Searches the local names for a name that is similar to an undefined name. *m is not changed, but its objects are
+ * updated if the garbage collector moves them. */
 static bool near_local(vs_expansion *x, vs_value env, vs_meaning *m) {
   VS_ROOTS(x->vm, r, 2);
   r[0] = m->env; r[1] = m->id;
@@ -327,7 +328,7 @@ static bool is_keyword(vs_value v) {
   return vs_is_symbol(v) && vs_as_symbol(v)->length > 2 && !memcmp(vs_as_symbol(v)->name, "#:", 2);
 }
 
-/* Divides a call with too many arguments for one activation into smaller calls, such as (apply f (append (list ...)
+/* Compiles a call with more arguments than an activation can hold as smaller calls, such as (apply f (append (list ...)
  * (list ...) ...)). A mesh that is written as data is such a call. */
 static bool long_application(vs_expansion *x, size_t n) {
   vs_pos pos = x->now.pos;
@@ -352,8 +353,8 @@ static bool long_application(vs_expansion *x, size_t n) {
   return ok;
 }
 
-/* A keyword that is given twice: the error is one of the call at run time, not a syntax error, so that a program can
- * handle it. */
+/* Compiles a call in which a keyword is given twice to an error at run time. It is not reported as a syntax error, so
+ * that a program can handle it. */
 static bool given_twice(vs_expansion *x, vs_value name) {
   char text[300];
   VS_ROOTS(x->vm, r, 1);
@@ -365,8 +366,8 @@ static bool given_twice(vs_expansion *x, vs_value name) {
 
 static void warn_of_one(vs_expansion *x, vs_value form);
 
-/* Reports a form such as (class name (define ...)) at its first word: an error about the definition inside would
- * mislead. */
+/* Reports a form such as (class name (define ...)) by its first word, which has no meaning here. An error about the
+ * definition inside would mislead. */
 static bool check_words(vs_expansion *x, vs_value form) {
   vs_scheme *vm = x->vm;
   vs_value head = vs_car(form);
@@ -447,8 +448,8 @@ static bool application(vs_expansion *x) {
 }
 
 /* ---- uses of macros ---- */
-/* Expands a macro use once: the current task's form, or the first form of a body. Sets *wait if the task must wait for
- * the result of the macro's transformer. */
+/* Expands a macro use once: the current task's form, or the first form of a body. Sets *wait to true if the task must
+ * wait for the result of the macro's transformer. */
 static bool use_macro(vs_expansion *x, vs_value macro, vs_value form, vs_pos pos, vs_value *out, bool *wait) {
   vs_scheme *vm = x->vm;
   *wait = false;
@@ -469,8 +470,8 @@ static bool use_macro(vs_expansion *x, vs_value macro, vs_value form, vs_pos pos
   return true;
 }
 
-/* Expands macros at the head of *form until it is core syntax, an application or no pair. Sets *m to the meaning of its
- * head. Returns false on an error, or with x->now.waiting set if the task must wait. */
+/* Expands the macro at the head of *form, repeatedly, until *form is core syntax, an application or no pair. Sets *m to
+ * the meaning of its head. Returns false on an error, or with x->now.waiting set if the task must wait. */
 bool vs_expand_settle(vs_expansion *x, vs_value *form, vs_meaning *m, vs_pos *pos) {
   for (;;) {
     *m = (vs_meaning){.kind = VS_MEANS_NOTHING, .value = VS_VACANT, .env = x->now.env, .id = VS_FALSE};
@@ -535,7 +536,8 @@ static void warn_of_one(vs_expansion *x, vs_value form) {
                                     "from 0 to 1, (random 6) one of 0 to 5");
 }
 
-/* Warns about a test whose value is certainly a procedure and therefore true: (and integer? positive?) is positive?. */
+/* Warns about a test whose value is certainly a procedure and therefore true. For example, (and integer? positive?) has
+ * the value positive?. */
 static void warn_of_procedure(vs_expansion *x, vs_value form, const vs_meaning *head) {
   vs_scheme *vm = x->vm;
   char text[300];
@@ -648,7 +650,7 @@ vs_expand_result vs_expansion_step(vs_expansion *x, vs_value value) {
     }
     if (x->now.waiting) return push_task(x, &x->now) ? VS_EXPAND_CALL : VS_EXPAND_ERROR;
     if (!ok) {
-      vs_value c = x->vm->condition;      /* handles an error other than a syntax error, such as a missing file */
+      vs_value c = x->vm->condition;      /* an error without a place, such as a missing file */
       if (vs_is(c, VS_T_CONDITION) && !vs_as_condition(c)->place) vs_as_condition(c)->place = x->now.pos;
       x->count = 0;
       x->now = no_task;
