@@ -28,25 +28,25 @@ enum { VS_MACRO_RULES = -1, VS_MACRO_PROCEDURE = -2 };   /* special values of vs
                                                           * a VS_FORM_ */
 
 typedef enum {
-  VS_TASK_EXPR,      /* form is an expression */
+  VS_TASK_EXPR,      /* form: an expression */
   VS_TASK_BODY,      /* form: remaining forms of a body; acc: its definitions and expressions, newest first (body.c) */
-  VS_TASK_TOP,       /* form is a top-level form */
-  VS_TASK_QUASI,     /* form is a quasiquote template; n is its level */
-  VS_TASK_CASE,      /* form: the clauses of a case; var: variable of the key */
+  VS_TASK_TOP,       /* form: a top-level form */
+  VS_TASK_QUASI,     /* form: a quasiquote template; n: number of quasiquotes around it */
+  VS_TASK_CASE,      /* form: the clauses of a case; var: the variable that contains the key's value */
   VS_TASK_PREDICATE  /* form: predicate of a contract, in which and, or, not and list-of combine predicates
                       * (lambda.c) */
 } vs_task_kind;
 
 typedef struct vs_task {
   uint8_t kind;
-  bool test;         /* whether only the truth of the value matters, as in a test */
-  bool decides;      /* whether the truth of the value decides what is evaluated next, so that a procedure as value is
+  bool test;         /* whether only the truth of the form's value is used, as in a test */
+  bool decides;      /* whether the form's value decides which form is evaluated next; a procedure as this value is
                       * probably a mistake */
-  bool waiting;      /* whether the task waits for the value of a transformer */
-  bool chained;      /* whether the form is the rest of a form whose syntax was already checked: (and b c) of (and a b
-                      * c) */
+  bool waiting;      /* whether the task waits for the result of a macro's transformer procedure */
+  bool chained;      /* whether the form consists of the last parts of a form whose syntax was already checked, as (and
+                      * b c) of (and a b c) */
   uint32_t depth, n;
-  vs_pos pos;        /* place to use if the form itself has none */
+  vs_pos pos;        /* place in the source if the form itself has no place */
   vs_core_node **into;
   vs_var *var;
   vs_value form, env, acc;
@@ -67,20 +67,22 @@ typedef struct vs_expansion {
   bool tree;               /* whether the core tree `ast` is open */
   vs_task now, *tasks;
   size_t count, room;
-  size_t old;              /* index of the first task that a minor collection must visit */
-  int64_t serial;          /* number of the top-level form; scopes with another number are no longer valid */
+  size_t old;              /* index of the first task that a minor garbage collection must visit */
+  int64_t serial;          /* number of the top-level form that is expanded; scopes with another number are no longer
+                            * valid */
   vs_core_node *root;
   vs_expand_result result;
-  bool definition;         /* result NODE: whether it is a definition, whose value the prompt does not print */
+  bool definition;         /* result NODE: whether the form is a definition, whose value the prompt does not print */
   vs_value procedure, args;   /* results CALL and RUN: the procedure to call and its list of arguments */
-  vs_value forms;          /* result FORMS: the forms to expand instead, in order */
-  vs_value later;          /* later top-level forms, which may define a missing name */
+  vs_value forms;          /* result FORMS: the forms that replace the expanded form, in order */
+  vs_value later;          /* list of the top-level forms after this one, which may define a name that is not defined
+                            * yet */
   int poll;
 } vs_expansion;
 
 extern const vs_foreign_type vs_expansion_type;
-bool vs_expansion_make(vs_scheme *vm, vs_value *out);                         /* Sets *out to a foreign object with a
-                                                                               * new expansion. */
+bool vs_expansion_make(vs_scheme *vm, vs_value *out);                         /* Sets *out to a foreign object that
+                                                                               * contains a new expansion. */
 
 /* Begins to expand a top-level form in environment `env`. vs_expansion_step is then called until its result is neither
  * ERROR nor CALL.
@@ -96,14 +98,14 @@ vs_expand_result vs_expansion_step(vs_expansion *x, vs_value value);
 bool vs_expand_push(vs_expansion *x, vs_task_kind kind, vs_value form, vs_value env, vs_pos pos, vs_core_node **into,
                     uint32_t depth);
 vs_task *vs_expand_top(vs_expansion *x);                               /* Returns the task pushed last. */
-/* Expands element `nth` of the current form as an expression, one level deeper. */
+/* Pushes a task that expands element `nth` of the current form as an expression, one level deeper. */
 bool vs_expand_nth(vs_expansion *x, int64_t nth, vs_value env, vs_core_node **into);
-/* Expands each element of `list`, a tail of the current form, to at[0], at[1], ... */
+/* Pushes tasks that expand the elements of `list`, a tail of the current form, to at[0], at[1], ... */
 bool vs_expand_list(vs_expansion *x, vs_value list, vs_value env, vs_core_node **at, uint32_t depth);
 /* At DEPTH_LIMIT, puts the task's form into a procedure that is called at once, so that the tree of each lambda is
  * shallow. */
 bool vs_expand_outline(vs_expansion *x);
-/* Expands a body (definitions and expressions) in a new scope of env. */
+/* Pushes a task that expands a body (definitions and expressions) in a new scope of env. */
 bool vs_expand_body(vs_expansion *x, vs_value forms, vs_value env, vs_pos pos, vs_core_node **into, uint32_t depth);
 
 vs_core_node *vs_expand_node(vs_expansion *x, int kind, vs_pos pos);
@@ -113,28 +115,29 @@ vs_core_node *vs_expand_core(vs_expansion *x, const char *name, vs_pos pos);
 /* Returns a call of a procedure of the library, with room for n arguments. */
 vs_core_node *vs_expand_call(vs_expansion *x, const char *name, size_t n, vs_pos pos);
 vs_core_node *vs_expand_ref(vs_expansion *x, vs_value id, vs_value env, vs_pos pos);
-bool vs_expand_var(vs_expansion *x, vs_value id, vs_value scope, vs_var **var);     /* Creates a variable and binds it
-                                                                                     * in the scope. */
+bool vs_expand_var(vs_expansion *x, vs_value id, vs_value scope, vs_var **var);     /* Sets *var to a new variable, and
+                                                                                     * binds id to it in the scope. */
 bool vs_expand_scope(vs_expansion *x, vs_value env, vs_value *out);
 
-/* Returns true if id means the syntax `form` (a VS_FORM_) in env. */
+/* Returns true if the identifier id means the syntax `form` (a VS_FORM_) in env. */
 bool vs_is_form(vs_value env, vs_value id, int form);
-vs_pos vs_form_pos(vs_value form, vs_pos outer);                       /* Returns the place of a pair, or `outer` if it
-                                                                        * has none. */
-vs_pos vs_element_pos(vs_value pair, bool first, vs_pos outer);        /* Returns the place of the first element of
-                                                                        * `pair`, a part of a list. */
+vs_pos vs_form_pos(vs_value form, vs_pos outer);                       /* Returns the place of `form`, or `outer` if it
+                                                                        * is no pair with a place. */
+vs_pos vs_element_pos(vs_value pair, bool first, vs_pos outer);        /* Returns the place of the car of `pair`, a part
+                                                                        * of a list, or `outer` if it is unknown. first:
+                                                                        * `pair` is the first pair of the list. */
 /* Reports a syntax error at pos. Appends `what` as text to the message, unless it is VS_ABSENT. */
 bool vs_expand_fail(vs_expansion *x, vs_pos pos, vs_value what, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 /* Reports that the syntax `form` (a VS_FORM_) is used wrongly: "this is written (...)". */
 bool vs_expand_shape(vs_expansion *x, int form);
 
-/* Expands macros at the head of *form until it is core syntax, an application or no pair. Sets *m to the meaning of its
- * head. Returns false on an error, or with x->now.waiting set if the task must wait. */
+/* Expands the macro at the head of *form, repeatedly, until *form is core syntax, an application or no pair. Sets *m to
+ * the meaning of its head. Returns false on an error, or with x->now.waiting set if the task must wait. */
 bool vs_expand_settle(vs_expansion *x, vs_value *form, vs_meaning *m, vs_pos *pos);
 
-/* Returns VS_FORM_import or VS_FORM_define_library for these words, else -1. They structure a program even if no import
- * binds them. m is the meaning of a top-level form's head. */
+/* Returns VS_FORM_import or VS_FORM_define_library if m is the unbound name `import` or `define-library`, otherwise -1.
+ * m: the meaning of a top-level form's head. These words structure a program even if no import binds them. */
 int vs_unit_word(const vs_meaning *m);
 
 #define VS_FORM(id, name, kind, shape) VS_FORM_DECLARE_##kind(id)

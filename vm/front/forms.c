@@ -34,7 +34,7 @@ bool vs_form_if(vs_expansion *x) {
   return true;
 }
 
-/* Expands expressions in sequence. The last one has the place of the whole form. */
+/* Expands expressions in sequence. The last expression gets the place of the whole form. */
 static bool sequence(vs_expansion *x, vs_value forms, vs_pos pos, vs_core_node **into, uint32_t depth) {
   int64_t n = vs_list_length(forms);
   if (n == 1)
@@ -50,7 +50,7 @@ bool vs_form_begin(vs_expansion *x) {
   return sequence(x, vs_cdr(x->now.form), x->now.pos, x->now.into, x->now.depth);
 }
 
-/* Expands the remaining parts of and, or, cond as a form of that kind with fewer parts. */
+/* Expands the parts in `rest` of the current form and, or or cond as a form of the same kind. */
 static bool chain(vs_expansion *x, vs_value rest, vs_core_node **into, bool test) {
   VS_ROOTS(x->vm, r, 1);
   vs_pos pos = vs_is_pair(rest) ? vs_element_pos(rest, false, x->now.pos) : x->now.pos;
@@ -61,8 +61,8 @@ static bool chain(vs_expansion *x, vs_value rest, vs_core_node **into, bool test
   return true;
 }
 
-/* Returns the length of the current form, or -1 if it is no list. The rest of a chain (and, or, cond) is known to be a
- * list: counts at most 4 elements of it, because counting all at each part would make long chains slow. */
+/* Returns the length of the current form, or -1 if it is no list. If the form consists of the last parts of a checked
+ * and, or, cond, counts at most 4 elements: counting all elements at each part would make long forms slow. */
 static int64_t parts(const vs_expansion *x) {
   if (!x->now.chained) return vs_list_length(x->now.form);
   int64_t n = 0;
@@ -87,7 +87,7 @@ bool vs_form_and(vs_expansion *x) {
   return true;
 }
 
-/* Returns a LET with one variable that programs cannot name; the caller pushes its value. */
+/* Returns a LET with one variable that programs cannot name. The caller pushes the task for the variable's value. */
 static vs_core_node *let_temporary(vs_expansion *x, const char *name, vs_pos pos) {
   vs_value symbol;
   vs_core_node *let = vs_expand_many(x, VS_AST_LET, 1, pos);
@@ -141,7 +141,7 @@ static bool when_unless(vs_expansion *x, bool when, int form) {
 bool vs_form_when(vs_expansion *x) { return when_unless(x, true, VS_FORM_when); }
 bool vs_form_unless(vs_expansion *x) { return when_unless(x, false, VS_FORM_unless); }
 
-/* (assert test detail ...): the values of the details are shown in the message. */
+/* Expands (assert test detail ...). The error message shows the values of the details. */
 bool vs_form_assert(vs_expansion *x) {
   int64_t n = vs_list_length(x->now.form);
   if (n < 2) return vs_expand_shape(x, VS_FORM_assert);
@@ -226,8 +226,8 @@ bool vs_form_case(vs_expansion *x) {
   return vs_expand_nth(x, 1, x->now.env, &let->as.let.values[0]);
 }
 
-/* Returns the expression (or (eqv? key 'd) ...) for a clause of case, with eq? where it is equivalent. More than six
- * data are searched by memv. */
+/* Returns a node that tests whether the key of a case equals one of the data of a clause: (or (eqv? key 'd) ...), with
+ * eq? where it is equivalent. More than six data are searched by memv. */
 static vs_core_node *key_test(vs_expansion *x, vs_value data, vs_pos pos) {
   VS_ROOTS(x->vm, r, 2);
   int64_t n = vs_list_length(data);
@@ -372,12 +372,12 @@ bool vs_quasi_step(vs_expansion *x) {
                       kind == VS_FORM_quasiquote ? level + 1 : level - 1);
   }
   level -= kind >= 0;
-  /* Counts the elements of the list, the elements that splice in a list, and the sequences of plain elements between
-   * them. */
+  /* Counts three things: the elements of the list, the elements that insert a list (unquote-splicing), and the
+   * sequences of other elements between them. */
   size_t elements = 0, splices = 0, runs = 0;
   size_t in_run = 0;
-  vs_value l = form, met = VS_NIL; /* Brent's cycle detection: `met` is an earlier pair, replaced by l each time the
-                                    * distance has doubled */
+  vs_value l = form, met = VS_NIL; /* Brent's cycle detection: `met` is an earlier pair; each time the distance to it
+                                    * has doubled, `met` becomes l */
   for (; vs_is_pair(l) && (l == form || quasi_kind(x->now.env, l) < 0); l = vs_cdr(l)) {
     if (l == met) return vs_expand_fail(x, pos, VS_ABSENT, "a list without an end (#0#) cannot contain , or ,@");
     if ((elements & (elements - 1)) == 0) met = l;

@@ -3,10 +3,11 @@
  *
  * A parameter has one of the forms
  *   name   [name predicate]   [name predicate default]
- * These forms after #:key are a keyword parameter. The rest parameter is . name or . [name predicate]. The predicate is
- * evaluated once, outside the lambda: in a LET around it, unless it is a constant of the library. The checks are a SEQ
- * before the body, one CHECK for each parameter, in order. Before a computed default, the parameters that it can use
- * are checked. */
+ * After #:key, each of these forms is a keyword parameter. The rest parameter is . name or . [name predicate].
+ *
+ * A predicate is evaluated once, outside the lambda: in a LET around it, unless it is a constant of the library. The
+ * checks of the arguments are a SEQ before the body, one CHECK for each parameter, in order. A computed default value
+ * may use the parameters before it, so these are checked before it is computed. */
 #include "vm/front/lambda.h"
 
 #include "vm/front/expand.h"
@@ -16,8 +17,8 @@ typedef struct {
   vs_value id, predicate, fallback;     /* name, predicate and default as forms of the source; an absent form is
                                          * VS_ABSENT */
   vs_pos pos;
-  vs_var *var, *contract;               /* contract: variable of the LET for the predicate; NULL if the predicate is a
-                                         * constant */
+  vs_var *var, *contract;               /* var: the parameter's variable; contract: variable of the LET for the
+                                         * predicate, or NULL if the predicate is a constant */
   uint32_t keyword;                     /* 0, or 1 + constant index of the keyword (vs_param.keyword) */
 } parameter;
 
@@ -57,8 +58,8 @@ static bool specification(vs_expansion *x, parameters *p, vs_value spec, vs_pos 
                                : "a parameter is a name, [name predicate] or [name predicate default], not");
   vs_value id = vs_car(spec), predicate = vs_car(vs_cdr(spec)),
            fallback = n == 3 ? vs_car(vs_cdr(vs_cdr(spec))) : VS_ABSENT;
-  /* Reports [width 5], which other Schemes read as a default. Without this report, a call without the argument would
-   * show a misleading error. */
+  /* Reports a parameter such as [width 5], where other Schemes read 5 as the default. Without this report, a call
+   * without the argument would show a misleading error. */
   if (n == 2 && (vs_is_fixnum(predicate) || vs_is_double(predicate) || vs_is(predicate, VS_T_STRING) ||
                  predicate == VS_TRUE || predicate == VS_FALSE))
     return vs_expand_fail(x, pos, spec,
@@ -104,13 +105,14 @@ static bool parse(vs_expansion *x, parameters *p, vs_value list, vs_pos outer) {
   return true;
 }
 
-/* In a contract, and, or and not combine predicates, at any depth and within list-of. There they mean procedures of the
- * library. */
+/* In a contract, the words and, or and not combine predicates, at any depth and within list-of. Each word then means a
+ * procedure of the library. */
 static const struct { int form; const char *word, *procedure; } combinations[] = {
   { VS_FORM_and, NULL, "and-of" }, { VS_FORM_or, NULL, "or-of" }, { -1, "not", "not-of" }, { -1, "list-of", "list-of" },
 };
 
-/* Returns the procedure that a form in a contract means, or NULL if the form is an ordinary expression. */
+/* Returns the library procedure that a form (and, or, not) in a contract means, or NULL if the form is an ordinary
+ * expression. */
 static const char *combination(vs_value form, vs_value env) {
   if (!vs_is_pair(form) || vs_list_length(form) < 1 || !vs_is_identifier(vs_car(form))) return NULL;
   for (size_t i = 0; i < sizeof combinations / sizeof *combinations; i++) {
@@ -118,7 +120,7 @@ static const char *combination(vs_value form, vs_value env) {
       return combinations[i].procedure;
     if (combinations[i].form >= 0) continue;
     vs_meaning m = vs_environment_find(env, vs_car(form));
-    /* skips this word, because the program has defined the name itself */
+    /* skips a word that the program has defined itself */
     if (m.kind != VS_MEANS_CELL || !(vs_object_of(m.value)->flags & VS_F_CONSTANT)) continue;
     if (!strcmp(vs_as_symbol(vs_as_cell(m.value)->name)->name, combinations[i].word)) return combinations[i].procedure;
   }
@@ -185,7 +187,7 @@ typedef struct {
   vs_expansion *x;
   parameters *p;
   vs_value *roots;           /* roots of the garbage collector, by the indices ROOT_LIST ... */
-  uint32_t who;              /* constant index of the lambda's name */
+  uint32_t who;              /* constant index of the lambda's name, which errors of its contracts show */
   vs_pos pos;
   vs_core_node *let;         /* LET around the lambda for the evaluated predicates; NULL if there are none */
   size_t contracts;          /* number of predicates that are already in the LET */
@@ -207,7 +209,7 @@ static size_t checks_of(const parameters *p, size_t n) {
   return checks;
 }
 
-/* If predicates must be evaluated, creates the LET for them at *outer, and sets *outer to its body. Creates the lambda
+/* If predicates must be evaluated, creates their LET at *outer, and sets *outer to the LET's body. Creates the lambda
  * at *into. */
 static bool make_frame(making *m, vs_core_node ***outer, vs_core_node **into) {
   size_t evaluated = 0;
@@ -225,7 +227,7 @@ static bool make_frame(making *m, vs_core_node ***outer, vs_core_node **into) {
   return true;
 }
 
-/* Adds a variable for the predicate of parameter i to the LET. */
+/* Adds a variable for the predicate of parameter i to the LET around the lambda. */
 static bool make_contract(making *m, size_t i) {
   parameter *q = &m->p->at[i];
   if (!is_evaluated(m, q)) return true;
@@ -239,8 +241,7 @@ static bool make_contract(making *m, size_t i) {
   return true;
 }
 
-/* Creates the checks of the first n parameters at *at, and sets *at to the place for the code that follows the
- * checks. */
+/* Creates the checks of the first n parameters at *at. Sets *at to the place of the node that follows the checks. */
 static bool make_checks(making *m, size_t n, vs_pos pos, vs_core_node ***at) {
   size_t checks = checks_of(m->p, n), done = 0;
   if (!checks) return true;
@@ -258,8 +259,8 @@ static bool make_checks(making *m, size_t n, vs_pos pos, vs_core_node ***at) {
   return true;
 }
 
-/* Creates the default value of parameter i. It may use the parameters before it, which are checked first if the default
- * is computed. */
+/* Creates the default value of parameter i. The default may use the parameters before i, which are checked first if the
+ * default is computed. */
 static bool make_default(making *m, size_t i, vs_param *param) {
   vs_value *r = m->roots;
   parameter *q = &m->p->at[i];
@@ -294,7 +295,7 @@ static bool make_parameter(making *m, size_t i) {
   return true;
 }
 
-/* Builds the lambda. *outer is the place for the LET of the evaluated predicates, and is set to the body of that
+/* Builds the lambda at *into. *outer is the place for the LET of the evaluated predicates, and becomes the body of that
  * LET. */
 static bool build(making *m, vs_value name, vs_core_node ***outer, vs_core_node **into) {
   vs_value *r = m->roots;

@@ -1,11 +1,11 @@
 /* Implements the reader, which converts text to data with the place of every pair.
  *
  * A stack contains all data that are being read (lists, vectors, quotes, datum comments, labels). Its memory counts for
- * the memory limit. Each level has two roots of the garbage collector: the first and the last pair of the elements. A
- * complete datum is added to the level on top. The reader collects mistakes and continues after them, so that one
- * reading reports all.
+ * the memory limit. Each level of the stack has two roots of the garbage collector: the first and the last pair of its
+ * elements. A complete datum is added to the level on top. The reader collects mistakes and continues after them, so
+ * that one reading reports all.
  *
- * The end of the text shows that a parenthesis is not closed, but not where. The reader therefore compares the
+ * The end of the text shows that a parenthesis is not closed, but not which. The reader therefore compares the
  * indentation of each line with the column of the open parenthesis. It records the first line that begins at this
  * column or left of it: the line before probably lacks the closing parenthesis. It then reads the text a second time,
  * in which each (define at the left margin begins a new form (`anew`). It thus reports every unclosed form, not only
@@ -31,7 +31,7 @@ typedef enum { LIST, VECTOR, BYTEVECTOR, QUOTE, COMMENT, LABEL } frame_kind;
 typedef struct {
   frame_kind kind;
   char open;                 /* opening parenthesis: ( or [ */
-  uint8_t dot;               /* LIST: 1 if the next datum is the tail after a dot, 2 if this tail has been read */
+  uint8_t dot;               /* LIST: 1 after a dot, 2 after the datum that follows the dot, otherwise 0 */
   vs_pos pos;
   quote_kind quote;
 } level;
@@ -42,24 +42,26 @@ typedef struct {
   size_t size, at;
   uint32_t file, line;
   size_t line_start;         /* offset at which the current line begins */
-  size_t col_at; uint32_t col;   /* col: column of the byte at offset col_at in the current line, a cache for the next
-                                  * call */
+  size_t col_at; uint32_t col;   /* col: column of the byte at offset col_at; cached, so that the column of a later byte
+                                  * of the line needs no new count */
   bool located, fold, blank_line;   /* blank_line: whether the current line has only blanks so far */
   level *levels; size_t depth, room;
-  vs_value *slots;           /* values that the garbage collector visits: two for each level, then the labels */
+  vs_value *slots;           /* values that the garbage collector visits: two for each level of the stack, then the
+                              * labels */
   struct vs_roots roots;
-  vs_value labels;           /* list of (number . box) for the labels; a root of the function that reads */
+  vs_value labels;           /* list of (number . box) for the labels; a root of the garbage collector */
   bool label_used;
-  size_t quasi;              /* number of levels that are quasiquotes */
+  size_t quasi;              /* number of levels of the stack that are quasiquotes */
   size_t problems; bool more;
   struct { vs_pos pos; char text[PROBLEM_TEXT]; } problem[PROBLEMS];
-  /* suspect: place of the first line whose indentation contradicts the parentheses. */
+  /* suspect: place of the open parenthesis that should be closed, judging by the indentation. suspect_line: line of the
+   * last token inside it */
   vs_pos suspect; uint32_t suspect_line;
   uint32_t content_line;     /* line of the last token */
   uint32_t comma_line;       /* line of the last comma between elements that was reported */
-  bool cut;                  /* whether an unclosed string or |symbol| contains the rest of the text, so that the open
-                              * levels are not separate mistakes */
-  bool anew, left_open;      /* anew: this is the second reading; left_open: a form was not closed */
+  bool cut;                  /* whether an unclosed string or |symbol| extends to the end of the text, so that open
+                              * parentheses are not separate mistakes */
+  bool anew, left_open;      /* anew: whether this is the second reading; left_open: whether a form was not closed */
   vs_pos odd_string; uint32_t odd_end;   /* odd_string: the string that probably lacks its closing quote; odd_end: its
                                           * last line */
   vs_pos last_top; uint32_t last_close_line; bool stray; vs_pos stray_top; uint32_t stray_line;
@@ -95,7 +97,7 @@ static int peek(const reader *r, size_t ahead) {
   return r->at + ahead < r->size ? (unsigned char)r->text[r->at + ahead] : -1;
 }
 
-/* Returns the length in bytes of the blank character at the reader's position, or 0 if there is none. */
+/* Returns the length in bytes of the blank character at the reader's position, or 0 if another character is there. */
 static size_t blank(const reader *r) {
   int c = peek(r, 0);
   if (c < 0) return 0;
@@ -106,7 +108,7 @@ static size_t blank(const reader *r) {
   return u == 0xA0 || u == 0xFEFF || u == 0x3000 || (u >= 0x2000 && u <= 0x200B) || u == 0x2028 ? n : 0;
 }
 
-/* Returns true if the byte c, just read, ends a line: \n, or \r that is not followed by \n. */
+/* Returns true if the byte c, which was just read, ends a line: \n, or \r without a following \n. */
 static bool ends_line(const reader *r, int c) { return c == '\n' || (c == '\r' && peek(r, 0) != '\n'); }
 
 static bool is_delimiter(const reader *r) {
@@ -162,8 +164,7 @@ static bool push(reader *r, frame_kind kind, vs_pos pos, char open, quote_kind q
     if (!levels) return false;
     r->levels = levels;
     vs_value *slots = vs_mem(r->vm, r->slots, 2 * r->room * sizeof *slots, 2 * room * sizeof *slots);
-    if (!slots) {   /* the second array could not grow: `levels` gets its old size again, so that both arrays have room
-                     * for one number of levels */
+    if (!slots) {   /* gives `levels` its old size again, so that both arrays have room for the same number of levels */
       r->levels = vs_mem(r->vm, levels, room * sizeof *levels, r->room * sizeof *levels);
       return false;
     }
@@ -189,8 +190,8 @@ static bool cons(reader *r, vs_value car, vs_value cdr, vs_pos pos, vs_value *ou
   return r->located ? vs_cons_at(r->vm, car, cdr, pos, out) : vs_cons(r->vm, car, cdr, out);
 }
 
-/* Adds the datum *v, a root of the garbage collector, to the level on top. If there is no level, sets *done: the datum
- * is complete. */
+/* Adds the datum *v, a root of the garbage collector, to the level on top of the stack. If the stack is empty, sets
+ * *done to true: the datum is complete. */
 static bool deliver(reader *r, vs_value *v, vs_pos pos, bool *done) {
   *done = false;
   for (;;) {
@@ -240,7 +241,7 @@ static bool deliver(reader *r, vs_value *v, vs_pos pos, bool *done) {
   }
 }
 
-/* Removes the level on top of the stack, which must not be empty, and sets *out to its datum. */
+/* Removes the level on top of the stack, which must not be empty. Sets *out to the level's datum. */
 static bool close_frame(reader *r, vs_value *out) {
   level f = r->levels[r->depth - 1];
   vs_value head = r->slots[2 * (r->depth - 1)];
@@ -315,7 +316,7 @@ static void read_char(reader *r, vs_value *out) {
   problem(r, pos, "no character has the name #\\%.*s", (int)(length > 40 ? 40 : length), s);
 }
 
-/* Reads the characters after a backslash in a string or |symbol|. */
+/* Reads an escape in a string or |symbol|: the characters after its backslash. */
 static bool read_escape(reader *r, vs_text *t) {
   vs_pos pos = place(r, r->at - 1);
   int c = peek(r, 0);
@@ -339,8 +340,8 @@ static bool read_escape(reader *r, vs_text *t) {
     if (peek(r, 0) == ';') r->at++;
     return vs_text_char(t, u);
   }
-  case ' ': case '\t': case '\n': case '\r': {        /* a backslash at the end of a line: omits the blanks around it
-                                                       * and the line end */
+  case ' ': case '\t': case '\n': case '\r': {        /* a backslash at the end of a line: omits the line end and the
+                                                       * blanks around it */
     r->at = start;
     while (peek(r, 0) == ' ' || peek(r, 0) == '\t' || (peek(r, 0) == '\r' && peek(r, 1) == '\n')) r->at++;
     if (peek(r, 0) != '\n' && peek(r, 0) != '\r') {
@@ -358,7 +359,8 @@ static bool read_escape(reader *r, vs_text *t) {
   r->at = start + vs_utf8_decode(r->text + start, r->size - start, &u);
   char shown[5] = {0};
   vs_utf8_encode(u, shown);
-  bool drive = start > 2 && r->text[start - 2] == ':'; /* a path of Windows, such as C:\models */
+  bool drive = start > 2 && r->text[start - 2] == ':'; /* whether the string may be a path of Windows, such as
+                                                        * C:\models */
   problem(r, pos, "\\%s means nothing in a string; a backslash is written \\\\%s", shown,
           drive ? ", and the name of a file has /: \"C:/models/a.vs\"" : "");
   return vs_text_char(t, u);
@@ -385,8 +387,8 @@ static bool read_delimited(reader *r, char end, vs_text *t) {
       return true;
     }
     if (c == '\\') { if (!read_escape(r, t)) return false; }
-    else {                                              /* every line end in a string becomes \n; in a symbol it
-                                                         * remains */
+    else {                                              /* every line end in a string becomes \n; line ends in a symbol
+                                                         * are kept */
       const char kept = (char)c;
       bool ends = ends_line(r, c);
       if (ends) newline(r, r->at);
@@ -414,8 +416,7 @@ static bool is_hexadecimal(const char *s, size_t n) {
 
 /* Reports a word in typographic quotation marks, as word processors write them. */
 static void typographic_quote(reader *r, vs_pos pos, const char *s, size_t length) {
-  size_t n = 3; /* n: length of the quotation mark in bytes, then offset of the end of the word, which is the next
-                 * quotation mark */
+  size_t n = 3; /* n: first the length of the quotation mark in bytes, later the offset of the closing quotation mark */
   while (n < length && !(n + 2 < length && !memcmp(s + n, "\xE2\x80", 2) && (unsigned char)s[n + 2] >= 0x98 &&
                          (unsigned char)s[n + 2] <= 0x9F))
     n++;
@@ -477,7 +478,7 @@ static bool read_symbol(reader *r, vs_value *out) {
     if (ok && vs_is_number(*out) && !r->quasi && peek(r, 0) == ',' && peek(r, 1) >= '0' && peek(r, 1) <= '9') {
       size_t more = 1;
       while (peek(r, more) >= '0' && peek(r, more) <= '9') more++;
-      if (peek(r, more) == ',' || (r->depth && r->levels[r->depth - 1].open == '[')) { /* a list with commas, as in
+      if (peek(r, more) == ',' || (r->depth && r->levels[r->depth - 1].open == '[')) { /* commas between elements, as in
                                                                                         * other languages: [1,2,3] */
         problem(r, pos, "separate elements by blanks, not by commas: (list 1 2 3), or (xyz 1 2 3) for a point");
         while (peek(r, more) >= 0 &&
@@ -489,7 +490,7 @@ static bool read_symbol(reader *r, vs_value *out) {
       r->at += more;
     }
   }
-  /* A vector of POV-Ray: <0,0,0>. */
+  /* The token begins a vector of POV-Ray: <0,0,0>. */
   if (ok && !bars && c == '<' && length > 1 && strchr("+-.0123456789", s[1]) && peek(r, 0) == ',' && !r->quasi) {
     char numbers[80];
     size_t more = 0, used = 0;
@@ -512,7 +513,7 @@ static bool read_symbol(reader *r, vs_value *out) {
   return ok;
 }
 
-/* Returns true if the token at the reader's position is this word; upper and lower case count as equal. */
+/* Returns true if the token at the reader's position is the word `word`; upper and lower case count as equal. */
 static bool same(const reader *r, const char *word) {
   size_t n = strlen(word);
   if (r->size - r->at < n) return false;
@@ -522,8 +523,8 @@ static bool same(const reader *r, const char *word) {
   return is_delimiter(&after);
 }
 
-/* Reads a token that begins with #. Sets *prefix if the token is a prefix of the next datum, such as #; or #0=, for
- * which a level was pushed. */
+/* Reads a token that begins with #. Sets *prefix to true if the token is a prefix of the next datum, such as #; or #0=,
+ * for which a level was pushed. */
 static bool read_hash(reader *r, vs_value *out, bool *prefix) {
   static const struct { const char *word; vs_value value; } words[] = {
     {"#t", VS_TRUE}, {"#true", VS_TRUE}, {"#f", VS_FALSE}, {"#false", VS_FALSE}, {"#!eof", VS_EOF}};
@@ -565,7 +566,7 @@ static bool read_hash(reader *r, vs_value *out, bool *prefix) {
   if (c == '\\') { read_char(r, out); return true; }
   for (size_t i = 0; i < sizeof words / sizeof *words; i++)
     if (same(r, words[i].word)) { r->at += strlen(words[i].word); *out = words[i].value; return true; }
-  if (c == ':') {                                    /* a keyword becomes a symbol with the name of the whole token */
+  if (c == ':') {                                    /* a keyword such as #:name becomes the symbol "#:name" */
     size_t start = r->at;
     while (!is_delimiter(r)) r->at++;
     return vs_intern(r->vm, r->text + start, r->at - start, out);
@@ -573,7 +574,7 @@ static bool read_hash(reader *r, vs_value *out, bool *prefix) {
   return read_symbol(r, out);
 }
 
-/* Reads the closing parenthesis c. Sets *got if it completes a datum, which is then *out. */
+/* Reads the closing parenthesis c. Sets *got to true if it completes a datum, which is then *out. */
 static bool read_close(reader *r, char c, vs_pos pos, vs_value *out, bool *got) {
   *got = false;
   while (r->depth && r->levels[r->depth - 1].kind >= QUOTE) {     /* closes prefixes that have no datum, as in '),
@@ -624,7 +625,8 @@ static void watch_indentation(reader *r, vs_pos pos) {
   r->blank_line = false;
 }
 
-/* Reports that the lowest `count` levels of the stack were not closed, at the innermost of them. */
+/* Reports that the lowest `count` levels of the stack were not closed. The place of the report is the innermost of
+ * these levels. */
 static void never_closed(reader *r, size_t count) {
   VS_ASSERT(count <= r->depth);
   if (!count) return;
@@ -639,7 +641,7 @@ static void never_closed(reader *r, size_t count) {
   else problem(r, f->pos, "this parenthesis is never closed: a %c is missing", close);
 }
 
-/* In the second reading: closes all open levels where a definition begins at the left margin. */
+/* In the second reading: if a definition begins at the left margin, closes all open levels. */
 static void begin_anew(reader *r, vs_pos pos) {
   static const char word[] = "(define";
   if (vs_pos_col(pos) != 1 || r->size - r->at < sizeof word || memcmp(r->text + r->at, word, sizeof word - 1)) return;
@@ -757,7 +759,7 @@ static bool work_push(work *w, vs_value v) {
 }
 static bool is_label(vs_value v) { return vs_is(v, VS_T_BOX); }
 static vs_value label_value(vs_value v) {
-  for (int i = 0; is_label(v) && i < 1000; i++) v = vs_as_box(v)->value;     /* follows several labels for one datum:
+  for (int i = 0; is_label(v) && i < 1000; i++) v = vs_as_box(v)->value;     /* follows several labels of one datum:
                                                                               * #0=#1=x */
   return v;
 }
@@ -834,8 +836,8 @@ bool vs_check_utf8(vs_scheme *vm, const char *text, size_t size, uint32_t file, 
   return true;
 }
 
-/* Compares mistakes by place, then by the order of their detection. An unclosed parenthesis is detected last, but its
- * place is early. */
+/* Compares two mistakes by their places in the text, then by the order of their detection. An unclosed parenthesis is
+ * detected last, but its place is early. */
 static int by_place(const void *a, const void *b) {
   const vs_pos *p = a, *q = b;
   return *p < *q ? -1 : *p > *q;
@@ -857,7 +859,7 @@ static bool report(reader *r) {
   return false;
 }
 
-/* Reads all data of the text. *anew is true in the second reading; it is set to whether a second reading is
+/* Reads all data of the text. *anew must be true in the second reading. Sets *anew to true if a second reading is
  * necessary. */
 static bool read_all(vs_scheme *vm, const vs_passage *text, uint32_t file, bool fold, bool *anew, vs_value *forms) {
   VS_ROOTS(vm, v, 3);                                  /* roots of the garbage collector: first pair, last pair,
@@ -887,8 +889,8 @@ static bool read_all(vs_scheme *vm, const vs_passage *text, uint32_t file, bool 
   vs_pos reached = place(&r, r.at);
   vm->roots = labels.next;
   finish(&r);
-  /* Releases the data that were read, so that memory remains for the error message, which shows the place that was
-   * reached. */
+  /* Releases the data that were read, so that there is memory for the error message, which shows the place of the last
+   * token read. */
   if (!ok && vm->condition == vm->at.no_memory) {
     v[0] = v[1] = v[2] = VS_NIL;
     bool over_limit = vm->over_limit;
@@ -911,7 +913,7 @@ bool vs_read_all(vs_scheme *vm, const vs_passage *text, uint32_t file, bool fold
 bool vs_read_number(vs_scheme *vm, const char *s, size_t n, vs_pos place, vs_value *out) {
   if (vs_number_parse(vm, s, n, 10, out)) return true;
   vs_value why = vm->condition;
-  /* an error other than a mistake in the text, such as no memory, is returned unchanged */
+  /* returns other errors than mistakes in the text, such as no memory, unchanged */
   if (!vs_is(why, VS_T_CONDITION) || vs_as_condition(why)->kind != vm->sym.range) return false;
   return vs_fail_at(vm, vm->sym.read, place, VS_NIL, "%.*s%s: this exact number is too large to be written out",
                     (int)(n > 60 ? 60 : n), s, n > 60 ? "..." : "");
@@ -953,7 +955,8 @@ bool vs_file_number(vs_scheme *vm, const char *name, size_t bytes, uint32_t *num
       return true;
     }
   }
-  /* Files are numbered in order. There are few files, so the vector of their names may grow by a single element. */
+  /* Files are numbered in order. There are few files, so the vector of their names may grow by one element each
+   * time. */
   if (!vs_make_vector(vm, n ? n + 1 : 2, VS_FALSE, &v[1])) return false;
   for (size_t i = 0; i < n; i++)
     vs_gc_store(vm, vs_as_vector(v[1]), &vs_as_vector(v[1])->at[i], vs_as_vector(vm->at.files)->at[i]);

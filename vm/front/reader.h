@@ -11,7 +11,8 @@
 /* A text to read: its bytes, without NUL, and the line number of its first line within its file. */
 typedef struct vs_passage { const char *at; size_t size; uint32_t line; } vs_passage;
 
-/* Sets *number to the number of a source file, by which places refer to the file. A name always has the same number. */
+/* Sets *number to the number of a source file, by which places refer to the file. Calls with the same name return the
+ * same number. */
 bool vs_file_number(vs_scheme *vm, const char *name, size_t bytes, uint32_t *number);
 
 /* Returns true if the text is valid UTF-8. Otherwise sets the error, at the first invalid byte. */
@@ -22,11 +23,12 @@ bool vs_check_utf8(vs_scheme *vm, const char *text, size_t size, uint32_t file, 
  * #!fold-case. */
 bool vs_read_all(vs_scheme *vm, const vs_passage *text, uint32_t file, bool fold, vs_value *forms);
 
-/* Reads a number in radix 10, as vs_number_parse does. Reports a number that is too large at its place. */
+/* Reads a number in radix 10, as vs_number_parse does. Reports a number that is too large; `place` is the place of the
+ * error. */
 bool vs_read_number(vs_scheme *vm, const char *s, size_t n, vs_pos place, vs_value *out);
 
-/* Reads the first datum of a text, without places, or VS_EOF if there is none. Sets *used to the number of bytes up to
- * its end. */
+/* Reads the first datum of a text, without places. If there is none, sets *out to VS_EOF. Sets *used to the number of
+ * bytes up to the end of the datum. */
 bool vs_read_datum(vs_scheme *vm, const char *text, size_t size, vs_value *out, size_t *used);
 
 #endif

@@ -34,7 +34,8 @@ static bool is_blank(uint32_t c) {
 }
 static bool is_delimiter(uint32_t c) { return is_blank(c) || (c < 128 && strchr("()[]\";,'`", (int)c)); }
 
-/* Called when a datum is complete. Returns `how` if this was the last expected datum. */
+/* Called when a datum is complete. Returns `how` if it was the last expected datum and all parentheses are closed,
+ * otherwise VS_SCAN_MORE. */
 static vs_scan_result ended(vs_scan *s, vs_scan_result how) {
   VS_ASSERT(s->wanted > 0);
   s->state = BLANK;
@@ -75,7 +76,7 @@ bool vs_scan_feed(vs_scan *s, uint32_t c, vs_scan_result *result) {
 again:
   switch (s->state) {
   case BLANK: ok = begin(s, c, result); break;
-  case HASH:                                       /* after a # */
+  case HASH:                                       /* the previous character was # */
     s->any = s->any || (c != '|' && c != ';' && c != '!');
     if (c == ';') { s->wanted += s->depth == 0; s->state = BLANK; }
     else if (c == '|') { s->state = BLOCK; s->comment = 1; s->after_hash = 0; }
@@ -86,17 +87,17 @@ again:
       s->state = ATOM;
       s->after_hash = c == 'u' || (c >= '0' && c <= '9') ? '#' : 0;
       goto again;
-    } /* #u8( and #0= continue a datum; in #t( a second datum begins with the parenthesis */
+    } /* after #u8( and #0= the same datum continues; in #t( a second datum begins with the parenthesis */
     break;
-  case CHARACTER: s->state = ATOM; s->after_hash = 0; break;   /* the character after #\ may be any */
+  case CHARACTER: s->state = ATOM; s->after_hash = 0; break;   /* any character may follow #\ */
   case ATOM:
     if (c == '|') { s->state = BARS; break; }
-    /* the prefix #u8( */
+    /* The prefix #u8( begins a bytevector. */
     if (s->after_hash == '#' && c == '(') { s->after_hash = 0; s->state = BLANK; ok = push(s, c); break; }
-    /* the label #0= */
+    /* The label #0= precedes the datum that it labels. */
     if (s->after_hash == '#' && c == '=') { s->after_hash = 0; s->state = BLANK; break; }
     if (!is_delimiter(c)) break;
-    /* a directive such as #!fold-case */
+    /* A directive such as #!fold-case is no datum. */
     if (s->after_hash == '!') { s->after_hash = 0; s->state = BLANK; goto again; }
     s->after_hash = 0;
     *result = ended(s, VS_SCAN_WHOLE);
@@ -142,8 +143,7 @@ bool vs_read_whole(vs_scheme *vm, const char *text, size_t size, vs_text_check *
     ok = vs_scan_feed(&s, c, &r) && vs_poll_turn(vm, i, 4);
     if (r == VS_SCAN_BAD) { *out = (vs_text_check){VS_TEXT_BAD, 0, s.token_line, s.token_col, s.trouble}; break; }
     if (r != VS_SCAN_MORE) { any = true; s.wanted = 1; s.any = false; }
-    if (r != VS_SCAN_WHOLE) i += n;                /* passes the delimiter that ended an atom to the state machine once
-                                                    * more */
+    if (r != VS_SCAN_WHOLE) i += n;                /* a delimiter that ended an atom is processed once more */
   }
   if (ok && out->state != VS_TEXT_BAD) {
     if (!vs_scan_end(&s) || s.wanted > 1) {

@@ -7,21 +7,21 @@
 /* ---- a state machine that reads one character at a time, for the prompt and for (read) from a port ---- */
 typedef enum {
   VS_SCAN_MORE,
-  VS_SCAN_WHOLE /* the data are complete and end before this character */,
-  VS_SCAN_WHOLE_WITH /* the data are complete and end with this character */,
+  VS_SCAN_WHOLE /* the data are complete; they end before the character that was passed */,
+  VS_SCAN_WHOLE_WITH /* the data are complete; they end with the character that was passed */,
   VS_SCAN_BAD
 } vs_scan_result;
 typedef struct vs_scan {
   vs_scheme *vm;
   uint8_t state, after_hash;
-  bool any, escaped, returned;    /* any: whether there was a character other than blanks; escaped: whether the last
+  bool any, escaped, returned;    /* any: whether a character other than blanks was passed; escaped: whether the last
                                    * character was a backslash; returned: whether it was \r */
   uint32_t comment;               /* nesting depth of block comments */
-  uint32_t wanted;                /* number of data that are still expected outside of parentheses */
+  uint32_t wanted;                /* number of data that must still follow outside all parentheses */
   size_t depth, room;
   struct vs_scan_open { char open; uint32_t line, col; } *at;
-  uint32_t line, col;             /* line and column of the next character */
-  const char *trouble;            /* for BAD: the reason */
+  uint32_t line, col;             /* line and column of the next character to process */
+  const char *trouble;            /* for the result BAD: text that describes the mistake */
   uint32_t token_line, token_col; /* place at which the last string, comment or |symbol| begins */
 } vs_scan;
 void vs_scan_open(vs_scheme *vm, vs_scan *s);
@@ -33,8 +33,8 @@ bool vs_scan_end(vs_scan *s);                                         /* Returns
 
 typedef enum { VS_TEXT_EMPTY, VS_TEXT_WHOLE, VS_TEXT_OPEN, VS_TEXT_BAD } vs_text_state;
 typedef struct vs_text_check { vs_text_state state; uint32_t depth, line, col; const char *trouble; } vs_text_check;
-/* Tests whether the text consists of complete data. For the result OPEN, sets line and column of the innermost open
- * parenthesis, string or comment; for BAD, of the mistake. Returns false when memory is out. */
+/* Tests whether the text consists of complete data. For the result OPEN, sets line and column of *out to those of the
+ * innermost open parenthesis, string or comment; for BAD, to those of the mistake. Returns false when memory is out. */
 bool vs_read_whole(vs_scheme *vm, const char *text, size_t size, vs_text_check *out);
 
 #endif

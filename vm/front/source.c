@@ -40,7 +40,8 @@ static void normalise(vs_text *path) {
     while (end < n && s[end] != '/') end++;
     size_t length = end - i;
     bool dot = length == 1 && s[i] == '.', up = length == 2 && s[i] == '.' && s[i + 1] == '.';
-    size_t last = out > 1 ? out - 1 : 0;                   /* start of the last folder of the path, which .. removes */
+    size_t last = out > 1 ? out - 1 : 0;                   /* start of the last folder in the path so far, which ..
+                                                            * removes */
     while (last > 0 && s[last - 1] != '/') last--;
     bool can = up && out > 1 && !(out - last == 3 && s[last] == '.' && s[last + 1] == '.');
     if (can) out = last;
@@ -62,7 +63,7 @@ bool vs_source_name(vs_scheme *vm, uint32_t file, vs_text *t) {
   return vs_text_string(t, vs_as_vector(vm->at.files)->at[file]) && vs_text_end(t);
 }
 
-/* Sets *path to `folder` followed by `name` if that file exists, or if this is the first folder that is searched. */
+/* Sets *path to `folder` followed by `name` if that file exists, or if *path is still empty. */
 static bool try_place(vs_scheme *vm, const char *folder, size_t length, const vs_text *name, vs_text *path,
                       bool *found) {
   if (*found) return true;
@@ -109,8 +110,8 @@ bool vs_source_find(vs_scheme *vm, vs_value name, uint32_t from, size_t up, vs_t
   vs_text_close(&plain);
   vs_text_close(&base);
   if (ok && !vs_source_is_shipped(path->count ? path->at : "")) normalise(path);
-  return ok;       /* if no file was found, *path is in the first searched folder; reading it reports the missing
-                    * file */
+  return ok;       /* if no folder has the file, *path names it in the first searched folder; reading it then reports
+                    * that it is missing */
 }
 
 bool vs_source_path(vs_scheme *vm, vs_value name, uint32_t from, vs_text *path) {
@@ -118,11 +119,11 @@ bool vs_source_path(vs_scheme *vm, vs_value name, uint32_t from, vs_text *path) 
   return vs_source_find(vm, name, from, 0, path, &found);
 }
 
-/* ---- other languages ---- */
+/* ---- front ends: languages other than Scheme ---- */
 typedef bool read_fn(vs_scheme *vm, const char *text, size_t size, uint32_t file, uint32_t line, vs_value *forms);
 typedef struct { const char *ending, *language; read_fn *read; } front_end;
 
-/* Returns the front end for a file of this name; NULL if it is in Scheme. */
+/* Returns the front end for the language of a file of this name, or NULL if the file is in Scheme. */
 static const front_end *front_end_of(const char *name) {
   static const front_end all[] = {
 #define VS_FRONT_END(ending, language, read) { ending, language, read },
@@ -156,14 +157,14 @@ const char *vs_source_word(vs_scheme *vm, const char *name) {
 }
 
 /* ---- files that include each other ---- */
-/* Returns the pair (file . includer) of a file in the list vm->at.included, or #f. */
+/* Returns the pair (file . includer) for file number `file` in the list vm->at.included, or #f. */
 static vs_value including(const vs_scheme *vm, uint32_t file) {
   for (vs_value l = vm->at.included; vs_is_pair(l); l = vs_cdr(l))
     if (vs_car(vs_car(l)) == vs_fix(file)) return vs_car(l);
   return VS_FALSE;
 }
 
-/* Records that the file `from` (0: none) includes `file`. */
+/* Records that file number `from` (0: none) includes file number `file`. */
 static bool note_included(vs_scheme *vm, uint32_t file, uint32_t from) {
   VS_ROOTS(vm, r, 2);
   vs_value pair = including(vm, file);
@@ -219,7 +220,7 @@ bool vs_source_read(vs_scheme *vm, const char *path, bool fold, vs_value *forms)
   }
   if (!vs_io_read_file(vm, path, &r[0])) return false;
   size_t size = (size_t)vs_as_bytes(r[0])->length;
-  char *text = vs_mem(vm, NULL, 0, size + 1);        /* copies the text, since the reader allocates, which may move the
+  char *text = vs_mem(vm, NULL, 0, size + 1);        /* copies the text, since an allocation of the reader may move the
                                                       * string's bytes */
   if (!text) return false;
   memcpy(text, vs_as_bytes(r[0])->at, size);

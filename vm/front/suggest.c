@@ -50,8 +50,8 @@ static bool neighbours(int a, int b) {
 }
 
 /* Returns the edit distance of two names; upper and lower case count as equal. An insertion, deletion or replacement
- * costs EDIT. A typing slip costs SLIP, half as much: a neighbouring key, two exchanged letters, a doubled letter, a
- * hyphen too many or too few. Returns limit + 1 if the distance exceeds limit. */
+ * costs EDIT. A typing slip costs SLIP, half of EDIT. Slips are a neighbouring key, two exchanged letters, a doubled
+ * letter, a hyphen too many or too few. Returns limit + 1 if the distance exceeds limit. */
 static int distance(const char *a, size_t n, const char *b, size_t m, int limit) {
   int change = n <= 4 ? EDIT + SLIP : EDIT; /* in a short word, replacing a letter costs more, since the result is often
                                              * another word: set and sec */
@@ -87,7 +87,7 @@ static int tolerance(size_t length) { return length <= 2 ? SLIP : length <= 4 ? 
 
 /* ---- prefixes of names ---- */
 
-/* Returns the name without a prefix such as "make-" or "do-". */
+/* Returns the part of the name after a prefix such as "make-" or "do-", or the whole name if it has no such prefix. */
 static const char *stem(const char *name) {
   static const char *const prefixes[] = {"make-", "do-", "create-", "add-", "draw-", "new-", "get-", "build-", "gen-"};
   for (size_t i = 0; i < sizeof prefixes / sizeof *prefixes; i++) {
@@ -97,7 +97,7 @@ static const char *stem(const char *name) {
   return name;
 }
 
-/* Returns the name without a prefix that has a typing slip, as in creat-box. */
+/* Returns the part of the name after a misspelt prefix, as in creat-box, or the whole name if it has no such prefix. */
 static const char *near_stem(const char *name) {
   static const char *const words[] = {"make", "create", "draw", "build"};
   size_t n = strcspn(name, "-");
@@ -131,7 +131,7 @@ static bool consider(void *context, vs_value symbol, vs_value binding) {
   search *s = context;
   (void)binding;
   const vs_symbol *name = vs_as_symbol(symbol), *w = s->wanted;
-  size_t same = 0; /* same: length of the common beginning of both names, without a common "make-" */
+  size_t same = 0; /* same: number of letters with which both names begin, after a common "make-" */
   if (stem(w->name) - w->name == stem(name->name) - name->name) same = (size_t)(stem(w->name) - w->name);
   if (same && strncasecmp(w->name, name->name, same)) same = 0;
   int limit = tolerance(same && name->length > w->length ? name->length - same : w->length - same);
@@ -150,8 +150,8 @@ static bool consider(void *context, vs_value symbol, vs_value binding) {
   return true;
 }
 
-/* The search for a name with the same stem and another prefix. A name with a prefix is preferred, then the first in
- * alphabetical order. */
+/* A search for a name with the same stem (the name without its prefix) and another prefix. A name with a prefix is
+ * preferred, then the first in alphabetical order. */
 typedef struct { const char *stem; const vs_symbol *best; } stem_search;
 
 static bool consider_stem(void *context, vs_value symbol, vs_value binding) {
@@ -187,7 +187,7 @@ static bool has_word(const char *words, const char *word) {
   return false;
 }
 
-/* Returns the row of foreign.def with the word, or -1. */
+/* Returns the row of foreign.def (words of other programs) that contains the word, or -1. */
 static int foreign_word(const char *name) {
   for (int i = 0; i < (int)(sizeof foreign / sizeof *foreign); i++)
     if (has_word(foreign[i].words, name)) return i;
@@ -210,7 +210,8 @@ static bool remember(vs_scheme *vm, vs_value symbol, vs_value near) {
   VS_ROOTS(vm, r, 1);
   if (!vs_is_vector(vm->at.nearby) && !vs_idtable_new(vm, &vm->at.nearby)) return false;
   r[0] = vm->at.nearby;
-  if (!vs_idtable_put(vm, &r[0], symbol, near)) return false;     /* stores the symbol, which does not move in memory */
+  if (!vs_idtable_put(vm, &r[0], symbol, near)) return false;     /* stores the symbol `near`, which does not move in
+                                                                   * memory */
   vm->at.nearby = r[0];
   return true;
 }
@@ -278,12 +279,12 @@ static bool advise_number(const char *name, vs_text *t) {
   return vs_text_puts(t, text);
 }
 
-/* Advises on 3+4i, a complex number; on 1_000 and on 3² (or 3³). */
+/* Suggests a spelling for a complex number such as 3+4i, for 1_000 and for 3² (or 3³). */
 static bool advise_sign(const char *name, vs_text *t) {
   char text[200], digits[LONGEST + 1];
   size_t n = strlen(name), real = strspn(name, "+-.0123456789e");
   if (n > LONGEST || !n) return true;
-  size_t sign = n - 1; /* the last sign of "3+4i" */
+  size_t sign = n - 1; /* index of the last sign of "3+4i" */
   while (sign && name[sign] != '+' && name[sign] != '-') sign--;
   if (name[n - 1] == 'i' && real == n - 1 && strpbrk(name, "0123456789")) {
     int from = (int)sign;
@@ -405,7 +406,7 @@ bool vs_suggest(vs_scheme *vm, vs_value env, vs_value symbol, vs_text *t) {
   if (local == symbol)
     return vs_text_puts(t, " here: let names it for its body alone; write let* where a value that follows uses it");
   size_t before = t->count;
-  /* ours: whether the name is in the library, so that the program only lacks an import */
+  /* ours: whether the language's library has the name, so that the program only lacks an import */
   bool ours = vs_idtable_get(vs_as_environment(vm->at.core)->table, symbol) != VS_VACANT;
   int i = ours ? -1 : foreign_word(wanted->name);
   if (i >= 0) return put_foreign(i, t);
@@ -443,7 +444,7 @@ bool vs_suggest(vs_scheme *vm, vs_value env, vs_value symbol, vs_text *t) {
     if ((i = foreign_word(plain)) >= 0 || (i = foreign_word(same.stem)) >= 0) return put_foreign(i, t);
   }
   search s = {.core = vm->at.core, .wanted = wanted, .distance = 3 * EDIT};
-  if (local != VS_VACANT) {                       /* a local name is preferred to others that are equally similar */
+  if (local != VS_VACANT) {                       /* of equally similar names, a local name is preferred */
     consider(&s, local, VS_FALSE);
     if (s.best) s.distance--;
   }

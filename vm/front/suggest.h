@@ -15,13 +15,15 @@ bool vs_is_foreign_word(vs_value symbol); /* Returns true if foreign.def, the ta
                                            * the word. */
 bool vs_is_foreign_name(const char *name); /* Returns true if foreign.def, the table of words of other programs,
                                             * contains the name. */
-/* Appends "; make-box is the name here: (make-box ...)" to t if the word belongs to another program. */
+/* Appends advice such as "; make-box is the name here: (make-box ...)" to t if foreign.def, the table of words of other
+ * programs, has the word. */
 bool vs_foreign_advice(const char *word, vs_text *t);
-/* Appends advice to t for a keyword of another program that the called procedure does not have. */
+/* Appends advice to t for a keyword that foreign.def lists as a word of another program, and that the called procedure
+ * does not have. */
 bool vs_keyword_advice(const char *word, vs_text *t);
 
-/* Returns the word most similar to `wanted` among nth(0), nth(1) ... up to the first NULL. Returns NULL if none is
- * similar enough. */
+/* Returns the word most similar to `wanted` among nth(0), nth(1) and so on, up to the first NULL that nth returns.
+ * Returns NULL if no word is similar enough. */
 const char *vs_nearest_word(const char *wanted, const char *(*nth)(size_t i));
 
 #endif

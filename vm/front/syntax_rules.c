@@ -32,15 +32,15 @@ static bool member(vs_value list, vs_value id) {
   return false;
 }
 
-/* Returns true for an identifier. #:name in a pattern or template is a datum. */
+/* Returns true if v is an identifier and no keyword. A keyword such as #:name in a pattern or template is a datum. */
 static bool is_name(vs_value v) {
   return vs_is(v, VS_T_ALIAS) ||
          (vs_is_symbol(v) && (vs_as_symbol(v)->length < 3 || memcmp(vs_as_symbol(v)->name, "#:", 2)));
 }
 
 static bool is_literal(const rules *s, vs_value id) { return member(data(s, DATA_LITERALS), id); }
-/* Returns true if v is the ellipsis that the macro has chosen or, if it has chosen none, an identifier that means ...
- * where the macro was defined. */
+/* Returns true if v is the ellipsis that the macro has declared. If it has declared none, returns true for an
+ * identifier that means ... where the macro was defined. */
 static bool is_ellipsis(const rules *s, vs_value v) {
   if (!vs_is_identifier(v)) return false;
   vs_value own = data(s, DATA_ELLIPSIS);
@@ -52,8 +52,8 @@ static bool is_underscore(const rules *s, vs_value v) {
 }
 
 /* ---- checking patterns ---- */
-/* Adds the variables of a pattern, in the order of matching, to two lists: lists[0] for identifiers and lists[1] for
- * depths. Both have the newest element first. */
+/* Adds the variables of a pattern, in the order of matching, to two lists: identifiers to lists[0], their numbers of
+ * ellipses to lists[1]. Both lists have the newest element first. */
 static bool collect(rules *s, vs_value pattern, vs_value *lists, int64_t ellipses, int depth) {
   vs_scheme *vm = s->vm;
   if (depth > PATTERN_DEPTH) return vs_expand_fail(s->x, s->pos, VS_ABSENT, "this pattern is nested too deeply");
@@ -100,7 +100,7 @@ static int64_t ellipses_of(const vs_value *lists, vs_value id) {
   return -1;
 }
 
-/* Returns true if the subtemplate t contains a variable under more than `ellipses` ellipses. */
+/* Returns true if the subtemplate t contains a variable that has more than `ellipses` ellipses in the pattern. */
 static bool repeats(const vs_value *lists, vs_value t, int64_t ellipses, int depth) {
   if (depth > PATTERN_DEPTH) return true;
   for (; vs_is_pair(t); t = vs_cdr(t)) if (repeats(lists, vs_car(t), ellipses, depth + 1)) return true;
@@ -126,7 +126,8 @@ static bool check_template(rules *s, const vs_value *lists, vs_value t, bool dot
   }
   if (vs_is_vector(t)) {
     size_t n = vs_as_vector(t)->length;
-    if (dots && n && is_ellipsis(s, field(t, 0))) return true;   /* #(... template) is checked only when it is used */
+    if (dots && n && is_ellipsis(s, field(t, 0))) return true;   /* a template after an escape, #(... template), is
+                                                                  * checked only when the macro is used */
     for (size_t i = 0, next; i < n; i = next) {
       for (next = i + 1; dots && next < n && is_ellipsis(s, field(t, next)); next++) {
         if (!repeats(lists, field(t, i), outside + (int64_t)(next - i - 1), 0)) return no_repetition(s, pos);
@@ -136,7 +137,7 @@ static bool check_template(rules *s, const vs_value *lists, vs_value t, bool dot
     return true;
   }
   for (bool first = true; vs_is_pair(t); first = false) {
-    if (dots && is_ellipsis(s, vs_car(t)) && !first) break;                         /* an escaped ellipsis in the tail:
+    if (dots && is_ellipsis(s, vs_car(t)) && !first) break;                         /* the tail is an escaped ellipsis:
                                                                                      * (a . (... b)) */
     int64_t level = 0;
     vs_value rest = vs_cdr(t), sub = vs_car(t);
@@ -217,8 +218,8 @@ bool vs_rules_make(vs_expansion *x, vs_value spec, vs_value env, vs_pos pos, vs_
   return true;
 }
 
-/* ---- matching: functions return 1 if the form matches, 0 if not, -1 with the error set; *slot is the slot of the next
- * variable ---- */
+/* ---- matching: these functions return 1 if the form matches, 0 if not, -1 with the error set; *slot is the slot of
+ * the next variable ---- */
 static size_t count_vars(const rules *s, vs_value p, int depth) {
   size_t n = 0;
   if (depth > PATTERN_DEPTH) return 0;
@@ -323,7 +324,8 @@ static bool rename_id(rules *s, vs_value id, vs_value *out) {
 
 static bool instantiate(rules *s, vs_value template, bool dots, vs_value *out, int depth);
 
-/* Marks the slots of the variables in the subtemplate t that are still lists, because they are under an ellipsis. */
+/* Sets used[i] for each variable i in the subtemplate t whose slot still contains a list, because the variable is under
+ * an ellipsis. */
 static void mark_slots(const rules *s, vs_value t, bool *used, bool dots, int depth) {
   if (depth > PATTERN_DEPTH) return;
   for (; vs_is_pair(t); t = vs_cdr(t)) mark_slots(s, vs_car(t), used, dots, depth + 1);
@@ -343,7 +345,8 @@ static bool copy_vector(vs_scheme *vm, vs_value v, vs_value *out) {
   return true;
 }
 
-/* Adds the expansions of the subtemplate sub under `level` ellipses to the start of *list, newest first. */
+/* Expands the subtemplate sub, which has `level` ellipses after it, once for each element of its variables' lists. Adds
+ * the expansions to the start of *list, newest first. */
 static bool repeat(rules *s, vs_value sub, int level, vs_value *list, int depth) {
   vs_scheme *vm = s->vm;
   VS_ROOTS(vm, r, 6);     /* roots of the garbage collector: sub, saved slots, saved depths, current slots, current
@@ -411,7 +414,7 @@ static bool instantiate(rules *s, vs_value template, bool dots, vs_value *out, i
     return to_vector(vm, r[2], out);
   }
   while (vs_is_pair(r[0])) {
-    if (dots && is_ellipsis(s, vs_car(r[0])) && r[1] != VS_NIL) break;             /* an escaped ellipsis in the tail:
+    if (dots && is_ellipsis(s, vs_car(r[0])) && r[1] != VS_NIL) break;             /* the tail is an escaped ellipsis:
                                                                                     * (a . (... b)) */
     int level = 0;
     vs_value rest = vs_cdr(r[0]);

@@ -5,9 +5,10 @@
 #include "vm/values/value.h"
 
 typedef struct {
-  const char *text;         /* UTF-8 */
-  size_t size, at;          /* length of the text and index of the current byte */
-  uint32_t file, line, col; /* number of the file; line and column of the current byte, from 1 */
+  const char *text;         /* text in UTF-8 */
+  size_t size, at;          /* size: length of the text in bytes; at: index of the current byte */
+  uint32_t file, line, col; /* file: number of the source file; line, col: line and column of the current byte, from
+                             * 1 */
 } vs_text_cursor;
 
 static inline vs_pos vs_cursor_place(const vs_text_cursor *c) { return vs_pos_make(c->file, c->line, c->col); }
@@ -17,7 +18,8 @@ static inline int vs_cursor_peek(const vs_text_cursor *c, size_t ahead) {
   return c->at + ahead < c->size ? (unsigned char)c->text[c->at + ahead] : -1;
 }
 
-/* Moves on by so many bytes, which the text must have. A line ends with \n, \r or both; a column is a character. */
+/* Advances by a number of bytes, which the text must have. A line ends with \n, \r or both; the column is counted in
+ * characters. */
 static inline void vs_cursor_advance(vs_text_cursor *c, size_t bytes) {
   for (; bytes--; c->at++) {
     if (c->text[c->at] == '\n' || (c->text[c->at] == '\r' && vs_cursor_peek(c, 1) != '\n')) c->line++, c->col = 1;

@@ -22,8 +22,8 @@
 
 #include <stdio.h>
 
-/* Indices of the data for a pair of braces: two lists (forms and tokens) with their last pairs, the literals not yet
- * pushed, the registers (VS_NIL: none yet), and the data of the enclosing braces. They are elements of a vector, so
+/* Indices of the data for a pair of braces: the lists of forms and of tokens, each with its last pair; the literals not
+ * yet pushed; the registers (VS_NIL: none yet); the data of the enclosing braces. The data are elements of a vector, so
  * that one root of the garbage collector suffices for all open braces. */
 enum { FORMS, FORMS_LAST, TOKENS, TOKENS_LAST, LITERALS, LITERALS_LAST, REGISTERS, AROUND, SLOTS };
 
@@ -83,7 +83,8 @@ static bool append(reader *r, int list, vs_value v, vs_pos pos) {
   return true;
 }
 
-/* Sets *out to (word a), or to (word a b) if b is given; a and b point to roots of the garbage collector. */
+/* Sets *out to the form (word a), or to (word a b) if b is not NULL. a and b point to roots of the garbage
+ * collector. */
 static bool form(reader *r, const char *word, const vs_value *a, const vs_value *b, vs_pos pos, vs_value *out) {
   VS_ROOTS(r->vm, p, 2);
   p[0] = VS_NIL;
@@ -130,8 +131,8 @@ static bool active(reader *r, const char *word, const vs_value *argument, const 
 
 /* ---- registers ---- */
 
-/* Adds the register to those of the innermost braces, unless it is there already. name points to a root of the garbage
- * collector. */
+/* Adds the register to those of the innermost braces, unless they contain it already. name points to a root of the
+ * garbage collector. */
 static bool know_register(reader *r, const vs_value *name) {
   VS_ROOTS(r->vm, p, 1);
   p[0] = slot(r, REGISTERS);
@@ -176,8 +177,8 @@ static bool open_frame(reader *r, vs_pos pos) {
   return true;
 }
 
-/* Puts a declaration of the registers of the innermost braces before `rest`: ((!x gml:unset) ...), or at top level
- * (define !x gml:unset) ... */
+/* Sets *out to `rest` with declarations of the innermost braces' registers before it: the list ((!x gml:unset) ...), or
+ * at top level forms (define !x gml:unset). */
 static bool declare(reader *r, bool top, vs_pos pos, vs_value rest, vs_value *out) {
   VS_ROOTS(r->vm, p, 4);
   p[0] = rest;
@@ -195,8 +196,8 @@ static bool declare(reader *r, bool top, vs_pos pos, vs_value rest, vs_value *ou
 }
 
 /* Adds the registers in *from, which belong to braces without usereg, to those of the enclosing braces, which are now
- * the innermost. If the enclosing braces have no registers, they get the table *from itself, so that nesting a million
- * braces takes no longer. */
+ * the innermost. If the enclosing braces have no registers, they get the table *from itself. The time thus stays
+ * proportional to the depth of nesting. */
 static bool pass_registers(reader *r, const vs_value *from) {
   vs_value key, value;
   VS_ROOTS(r->vm, p, 1);
@@ -242,8 +243,8 @@ static bool close_frame(reader *r) {
 
 /* ---- reading tokens ---- */
 
-/* Returns the length in bytes of the number at offset `from`, or 0 if there is none. Digits that continue as a name,
- * such as 2nd, are no number. */
+/* Returns the length in bytes of the number at offset `from`, or 0 if there is none. Digits followed by letters, such
+ * as 2nd, are no number. */
 static size_t number_length(const reader *r, size_t from) {
   size_t n = from;
   if (peek(r, n) == '-' || peek(r, n) == '+') n++;
@@ -320,7 +321,7 @@ static bool read_string(reader *r, vs_pos pos) {
   return ok && literal(r, &p[0], pos);
 }
 
-/* Reads a name, or several names with dots between, into a list. Sets *count to the number of dots. */
+/* Reads a name, or several names with dots between them, into a list. Sets *count to the number of dots. */
 static bool read_names(reader *r, size_t *count, vs_value *list) {
   VS_ROOTS(r->vm, p, 2);
   p[0] = VS_NIL;
@@ -387,7 +388,7 @@ static bool read_token(reader *r) {
   }
 }
 
-/* Puts (import (only (scheme base) define lambda let quote set!) (gml)) before `rest`. */
+/* Sets *out to `rest` with (import (only (scheme base) define lambda let quote set!) (gml)) before it. */
 static bool import(reader *r, vs_value rest, vs_value *out) {
   vs_scheme *vm = r->vm;
   static const char text[] = "(import (only (scheme base) define lambda let quote set!) (gml))";

@@ -36,7 +36,8 @@ static vs_static_type sum_type(const vs_translation *t, uint32_t a, uint32_t b, 
                                                                                                         : VS_TYPE_ANY;
 }
 
-/* Returns the type of a value. Examines only a few levels: a deeper expression has an unknown type. */
+/* Returns the type of the value of expression i, as far as the text shows it. Examines only a few levels of the tree;
+ * deeper expressions have an unknown type. */
 static vs_static_type type_of(const vs_translation *t, uint32_t i, unsigned depth) {
   const vs_script_node *n = node(t, i);
   if (depth > 6) return VS_TYPE_ANY;
@@ -119,7 +120,8 @@ static operator_words words_of(vs_script_operator op) {
   }
 }
 
-/* An operand: a node of the script's tree or, if `node` is 0, a variable of the translation such as l:. */
+/* An operand: a node of the script's tree or, if `node` is 0, a variable that the translation has introduced, such as
+ * l:. */
 typedef struct {
   uint32_t node;
   const char *word;
@@ -134,7 +136,7 @@ static bool put_call(vs_translation *t, const char *word, operand l, operand r) 
   return vs_translate_call(t, word) && put(t, l) && put(t, r) && vs_translate_close(t);
 }
 
-/* Writes an operation that tests the types of its operands first. The operands may occur in it several times. */
+/* Writes an operation that tests the types of its operands first. The code may contain each operand several times. */
 static bool guarded(vs_translation *t, vs_script_operator op, operand l, operand r) {
   operator_words w = words_of(op);
   bool ln = l.type == VS_TYPE_NUMBER, rn = r.type == VS_TYPE_NUMBER;
@@ -173,7 +175,8 @@ static bool binary(vs_translation *t, vs_script_operator op, operand l, operand 
 
 static operand of(const vs_translation *t, uint32_t i) { return (operand){ i, NULL, type(t, i) }; }
 
-/* Translates == and === with a constant other than a number, which need only a simple test. */
+/* Translates == and === if the right operand is null, true or false and a simple test suffices. Sets *done to true if it
+ * did. */
 static bool equality(vs_translation *t, const vs_script_node *n, bool *done) {
   bool same = n->op == VS_OPERATOR_SAME || n->op == VS_OPERATOR_NOT_SAME;
   vs_script_kind kind = (vs_script_kind)node(t, n->b)->kind;
@@ -218,7 +221,7 @@ static bool member_value(vs_translation *t, const vs_script_node *n, const char 
   return vs_translate_close(t);
 }
 
-/* Assigns the value of a node or word to a variable. The value of the resulting expression is not used. */
+/* Assigns the value of a node or of a Scheme word to a variable. The resulting expression has no useful value. */
 static bool assign_name(vs_translation *t, uint32_t name, operand value) {
   const vs_variable *v = variable(t, name);
   if (v && v->kind == VS_VARIABLE_SELF) return put(t, value); /* the name of a function expression cannot be assigned */
@@ -290,7 +293,7 @@ static bool assignment(vs_translation *t, const vs_script_node *n, bool wanted) 
 
 static bool one(vs_translation *t) { return vs_translate_item(t, (vs_item){ .kind = VS_ITEM_NUMBER, .number = 1 }); }
 
-/* Writes (+ v: 1) or (- v: 1), where v: is the value before ++ or --, a number. */
+/* Writes (+ v: 1) for ++, or (- v: 1) for --; v: is the number before the operator is applied. */
 static bool stepped(vs_translation *t, const vs_script_node *n, const char *word) {
   return vs_translate_call(t, n->op == VS_OPERATOR_PLUS ? "js:+" : "js:-") && vs_translate_word(t, word) && one(t) &&
          vs_translate_close(t);
@@ -335,8 +338,8 @@ static bool arguments(vs_translation *t, uint32_t i) {
   return true;
 }
 
-/* Writes ((js:if (js:procedure? f:) f: (js:not-callable "name")) arguments #:this o:), the last part only for a
- * method. */
+/* Writes ((js:if (js:procedure? f:) f: (js:not-callable "name")) arguments #:this o:), which calls the value in f:.
+ * Only a call of a method has the part #:this o:. */
 static bool call_bound(vs_translation *t, const vs_script_node *n, const char *self, uint32_t name) {
   TRY(vs_translate_open(t) && vs_translate_call(t, "js:if") && vs_translate_call(t, "js:procedure?") &&
       vs_translate_word(t, "f:") && vs_translate_close(t) && vs_translate_word(t, "f:") &&
@@ -346,12 +349,12 @@ static bool call_bound(vs_translation *t, const vs_script_node *n, const char *s
          (!self || (vs_translate_word(t, "#:this") && vs_translate_word(t, self))) && vs_translate_close(t);
 }
 
-/* Writes a call of a function that is known by its name: calls the procedure that has exactly the function's
+/* Writes a call of a function whose definition the text shows: calls the procedure that has exactly the function's
  * parameters. */
 static bool direct_call(vs_translation *t, const vs_script_node *n, const vs_variable *v) {
   uint32_t wanted = node(t, v->declaration)->count;
   bool more = n->count > wanted;
-  if (more) { /* arguments without a parameter are evaluated after the others, only for their effects */
+  if (more) { /* extra arguments have no parameter; they are evaluated for their effects */
     TRY(vs_translate_call(t, "js:let") && vs_translate_open(t));
     uint32_t at = n->b;
     for (uint32_t i = 0; at; at = node(t, at)->next, i++)

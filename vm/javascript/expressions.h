@@ -6,10 +6,10 @@
 
 bool vs_translate_value(vs_translation *t, uint32_t node);
 bool vs_translate_effect(vs_translation *t, uint32_t node); /* Translates an expression whose value is not used. */
-bool vs_translate_test(vs_translation *t, uint32_t node);   /* Translates an expression as a test: its value is #f or
-                                                             * true. */
-/* Writes an assignment of the value (procedure word:number) to the variable or property at the node `target`, a NAME,
- * MEMBER or INDEX. */
+bool vs_translate_test(vs_translation *t, uint32_t node);   /* Translates an expression as a test, of which only the
+                                                             * truth is used. */
+/* Writes an assignment of the value of (procedure word:number) to the variable or property at the node `target`, a
+ * NAME, MEMBER or INDEX. */
 bool vs_translate_assign_made(vs_translation *t, uint32_t target, const char *procedure, const char *word,
                               uint32_t number);
 

@@ -1,8 +1,9 @@
-/* Converts the translation of a script, a sequence of items, to Scheme data.
+/* Converts the translation of a script, a sequence of items (words and brackets), to Scheme data.
  *
- * Items are processed from the last to the first. Data are kept on a stack, which is a list; a closing bracket pushes a
- * mark. At an opening bracket, the data above the mark are already the list, in order: its last pair is cut off, and
- * nothing is copied. A pair has the place of its datum; the first pair of a list has the place of the list. */
+ * Items are processed from the last to the first. Data are kept on a stack, which is a Scheme list; a closing bracket
+ * pushes a mark. At an opening bracket, the data above the mark are already the list between the brackets, in order.
+ * This list is separated from the stack without copying. A pair has the place of its datum; the first pair of a list
+ * has the place of the list. */
 #include "vm/javascript/read_script.h"
 
 #include <stdio.h>
@@ -27,16 +28,16 @@ typedef struct {
   uint32_t scope;
 } native_names;
 
-/* Returns true if the symbol in native text (Scheme inside a script) is a variable of the script at this place. Other
- * symbols have their meaning in Scheme. */
+/* Returns true if the symbol in native text (Scheme inside a script) names a variable of the script that is visible
+ * there. Other symbols have their meaning in Scheme. */
 static bool is_variable(const native_names *n, vs_value symbol) {
   const char *text = vs_as_symbol(symbol)->name;
   uint32_t name = vs_script_name_known(n->k->s, text, strlen(text));
   return name && vs_scopes_resolve(n->k, n->scope, name);
 }
 
-/* Renames the script's variables in the data, in place. A list contains the pairs that are still to be visited. The
- * data are new, so that nothing else refers to them. */
+/* Renames the script's variables in the data, in place. The data are new, so that nothing else refers to them. A list
+ * contains the pairs that are still to be visited. */
 static bool rename_names(const native_names *n, vs_value forms) {
   vs_scheme *vm = n->vm;
   VS_ROOTS(vm, r, 5); /* roots of the garbage collector: pairs to visit, the pair, a name, its alias, the aliases (one
@@ -66,8 +67,8 @@ static bool rename_names(const native_names *n, vs_value forms) {
   return true;
 }
 
-/* Reads the data of a native text (Scheme inside a script) with their places: the text is read with blanks before it,
- * so that it begins in its column. */
+/* Reads the data of a native text (Scheme inside a script) with their places. Blanks are put before the text, so that
+ * its first character has the right column. */
 static bool native_data(const native_names *n, const vs_item *item, uint32_t file, vs_value *forms) {
   size_t indent = item->column + 2, size = indent + item->b;
   char *text = vs_mem(n->vm, NULL, 0, size + 1);
@@ -105,7 +106,7 @@ static bool symbol_of(vs_scheme *vm, const vs_script *s, const vs_item *item, vs
   return ok;
 }
 
-/* Removes the list above the mark from the stack, and returns it. */
+/* Removes the data above the topmost mark from the stack, and returns them as a list. */
 static vs_value take_list(vs_scheme *vm, vs_value *stack, vs_pos pos) {
   vs_value head = *stack, last = VS_NIL, at = head, tail = VS_NIL;
   for (; vs_car(at) != VS_VACANT && vs_car(at) != VS_ABSENT; at = vs_cdr(at)) last = at;
@@ -127,8 +128,8 @@ static bool push_native(vs_scheme *vm, const vs_translation *t, const vs_item *i
   native_names names = { vm, t->k, item->scope };
   r[2] = *stack;
   if (!native_data(&names, item, file, &r[0])) return false;
-  for (r[1] = VS_NIL; vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) /* reverses the data, so that the first datum is on top of
-                                                              * the stack */
+  for (r[1] = VS_NIL; vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) /* reverses the data, so that the first is on top of the
+                                                              * stack */
     if (!vs_cons_at(vm, vs_car(r[0]), r[1], vs_pair_pos(r[0]), &r[1])) return false;
   for (; vs_is_pair(r[1]); r[1] = vs_cdr(r[1]))
     if (!vs_cons_at(vm, vs_car(r[1]), r[2], vs_pair_pos(r[1]), &r[2])) return false;
@@ -157,7 +158,8 @@ static bool build(vs_scheme *vm, const vs_translation *t, uint32_t file, vs_valu
       break;
     case VS_ITEM_NATIVE: ok = push_native(vm, t, item, file, &r[0]); break;
     case VS_ITEM_WORD:
-      if (!strcmp(item->word, ".")) { /* the datum on top becomes the tail of a dotted list, whose mark is below it */
+      if (!strcmp(item->word, ".")) { /* the datum on top becomes the tail of a dotted list; the list's mark is below
+                                       * it */
         r[1] = vs_car(r[0]);
         r[0] = vs_cdr(vs_cdr(r[0]));
         ok = push(vm, r[1], &r[0], pos) && push(vm, VS_ABSENT, &r[0], pos);
@@ -175,7 +177,7 @@ static bool build(vs_scheme *vm, const vs_translation *t, uint32_t file, vs_valu
   return ok;
 }
 
-/* Finds names that are assigned but not declared: they may be variables of a script that ran before. */
+/* Finds names that are assigned but not declared: they may be variables of a script that ran earlier in the session. */
 static bool find_elsewhere(vs_scheme *vm, vs_scopes *k) {
   for (uint32_t i = k->scopes[1].first; i; i = k->variables[i].next) {
     vs_variable *v = &k->variables[i];

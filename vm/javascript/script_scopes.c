@@ -1,5 +1,5 @@
-/* Finds the scopes of a script in two walks over its tree. The first collects declarations, the second assignments and
- * jumps.
+/* Finds the scopes of a script in two walks over its tree. The first walk collects declarations, the second walk
+ * assignments and jumps.
  *
  * The walks recurse, since the height of the tree is limited. */
 #include "vm/javascript/script_scopes.h"
@@ -64,7 +64,7 @@ static bool table_grow(vs_scopes *k) {
   return true;
 }
 
-/* Declares a variable. A second declaration marks it as assigned. */
+/* Declares a variable in the scope. If the scope already has it, marks it as assigned. */
 static bool declare(walker *w, uint32_t scope, uint32_t name, vs_variable_kind kind, uint32_t declaration) {
   vs_scopes *k = w->k;
   uint32_t known = bound(k, scope, name);
@@ -72,7 +72,7 @@ static bool declare(walker *w, uint32_t scope, uint32_t name, vs_variable_kind k
     vs_variable *v = &k->variables[known];
     if (kind != VS_VARIABLE_FUNCTION) return true;
     v->assigned = true;
-    v->declaration = declaration; /* of several function declarations with one name, the last is valid */
+    v->declaration = declaration; /* the last of several function declarations with one name is valid */
     if (v->kind == VS_VARIABLE_VAR) v->kind = VS_VARIABLE_FUNCTION;
     return true;
   }
@@ -177,14 +177,14 @@ static bool declare_in(walker *w, uint32_t i) {
   case VS_SCRIPT_LABEL: return declare_in(w, n->b);
   case VS_SCRIPT_CONTINUE:
   case VS_SCRIPT_BREAK: return true;
-  /* native text (Scheme inside a script) may name any variable, including this */
+  /* Native text (Scheme inside a script) may refer to any variable, including `this`. */
   case VS_SCRIPT_NATIVE: w->k->scopes[function_scope(w)].uses_this = true; return true;
   default: return declare_in(w, n->a) && declare_in(w, n->b) && declare_in(w, n->c) && declare_in(w, n->d);
   }
 }
 
-/* ---- the second walk: assignments and jumps. *least becomes the least depth of the target of any jump in the node
- * ---- */
+/* ---- the second walk: assignments and jumps. *least becomes the smallest number of a target to which the node jumps
+ * (0: the end of the function) ---- */
 
 static bool follow(walker *w, uint32_t i, unsigned *least);
 
@@ -206,7 +206,7 @@ static bool is_loop(vs_script_kind kind) {
   return kind == VS_SCRIPT_FOR || kind == VS_SCRIPT_FOR_IN || kind == VS_SCRIPT_WHILE || kind == VS_SCRIPT_DO;
 }
 
-/* Returns the loop or other statement after the labels of node i. */
+/* Returns the loop or other statement that follows the labels of node i. */
 static uint32_t labelled(const walker *w, uint32_t i) {
   while (node(w, i)->kind == VS_SCRIPT_LABEL) i = node(w, i)->b;
   return i;
@@ -324,8 +324,8 @@ static bool follow_parts(walker *w, uint32_t i, unsigned *least) {
   return follow(w, n->a, least) && follow(w, n->b, least) && follow(w, n->c, least) && follow(w, n->d, least);
 }
 
-/* Walks over node i. Possible targets of jumps are numbered from the outside in; the end of the function is number
- * 0. */
+/* Walks over node i. Possible targets of jumps are numbered from the outside in; the end of the function is number 0.
+ * *least becomes the smallest number of a target to which the node jumps. */
 static bool follow(walker *w, uint32_t i, unsigned *least) {
   if (!i) return true;
   const vs_script_node *n = node(w, i);

@@ -16,8 +16,9 @@ typedef enum {
 } vs_variable_kind;
 
 typedef struct {
-  uint32_t scope, name, next; /* next: next variable of the scope, in the order of the text */
-  uint32_t declaration;       /* for functions: the node of the declaration */
+  uint32_t scope, name, next; /* scope: number of the scope; name: number of the name; next: number of the scope's next
+                               * variable, in the order of the text */
+  uint32_t declaration;       /* for functions: the node of the function's declaration in the script's tree */
   uint8_t kind;
   bool elsewhere; /* whether a script that ran before has declared the variable */
   bool assigned;  /* whether the variable is assigned after its declaration */
@@ -39,18 +40,20 @@ enum {
 typedef struct {
   vs_script *s;
   vs_variable *variables;
-  size_t variable_count, variable_room; /* number of variables; variable 0 does not exist */
+  size_t variable_count, variable_room; /* number of variables, counting variable 0, which is not used */
   vs_scope_of_script *scopes;
-  size_t scope_count, scope_room; /* scope 0 does not exist; scope 1 is that of the program */
+  size_t scope_count, scope_room; /* number of scopes, counting scope 0, which is not used; scope 1 is that of the
+                                   * program */
   uint32_t *table;
-  size_t slots;      /* size of the hash table from scope and name to variable */
+  size_t slots;      /* number of entries of the hash table from scope and name to variable */
   uint8_t *facts;    /* facts[n]: flags of node n of the script's tree */
-  uint32_t *targets; /* targets[node]: for BREAK and CONTINUE their statement, for FUNCTION and TRY their scope */
+  uint32_t *targets; /* targets[node]: for BREAK and CONTINUE the statement that the jump leaves or continues; for
+                      * FUNCTION and TRY the scope */
   size_t room;
 } vs_scopes;
 
-/* Finds the scopes of s. Returns false if there is a mistake, which s then has, or memory is out. Call vs_scopes_close
- * in each case. */
+/* Finds the scopes of s. If the script has a mistake, sets it in s and returns false; also returns false when memory is
+ * out. Call vs_scopes_close in each case. */
 bool vs_scopes_find(vs_scopes *k, vs_script *s);
 void vs_scopes_close(vs_scopes *k);
 /* Returns the variable that the name means in the scope, or 0 if it is not declared. */

@@ -1,13 +1,14 @@
 /* Translates statements and functions of JavaScript to data of Scheme.
  *
  * A list of statements becomes one expression. Statements that no jump leaves run in sequence. A statement that a jump
- * leaves (such as a return within an if) is in tail position. It receives a description of where control continues
- * after it (vs_then), and the code that follows in the text is translated into its branches. If several branches
- * continue at one place, that place becomes a procedure without parameters, which they call. A loop is such a
- * procedure, too. All these calls are in tail position, so that the compiler makes them jumps within one activation.
+ * leaves (such as an if that contains a return) is in tail position. Its translation receives a description of where
+ * control continues after it (vs_then), and puts the code that follows in the text into the statement's branches. If
+ * several branches continue at one place, the code there becomes a procedure without parameters, which the branches
+ * call. A loop is such a procedure, too. All these calls are in tail position, so that the compiler makes them jumps
+ * within one activation.
  *
- * The parts of a try are procedures that other code calls. A jump that leaves such a part returns a number, or 0 if the
- * part just ends. After the try, control continues at the place with that number. */
+ * The parts of a try are procedures that other code calls. A jump that leaves such a part returns a number; the normal
+ * end of the part returns 0. After the try, control continues at the place with the returned number. */
 #include "vm/javascript/statements.h"
 
 #include <string.h>
@@ -33,7 +34,7 @@ static bool done(vs_translation *t, uint32_t i);
 
 /* ---- where control continues ---- */
 
-/* Returns true if the code that continues at `then` has only a word or two, so that it may be written several times. */
+/* Returns true if the code for continuing at `then` is only a word or two, so that it may be written several times. */
 static bool cheap(const vs_translation *t, const vs_then *then) {
   if (then->kind == VS_THEN_LOOP) {
     const vs_script_node *n = node(t, then->node);
@@ -43,7 +44,7 @@ static bool cheap(const vs_translation *t, const vs_then *then) {
 }
 
 /* Opens (js:letrec ((to:n (js:lambda () ...))) and sets *named to a call of to:n. If the code for `then` is short, sets
- * *named to `then` instead. Sets *opened if the caller must close the form. */
+ * *named to `then` instead. Sets *opened to true if the caller must close the form. */
 static bool name_it(vs_translation *t, const vs_then *then, vs_then *named, bool *opened) {
   *named = *then;
   *opened = !cheap(t, then);
@@ -62,7 +63,7 @@ static bool made_call(vs_translation *t, const char *word, uint32_t number) {
   return vs_translate_open(t) && vs_translate_made(t, word, number) && vs_translate_close(t);
 }
 
-/* Writes the next iteration of a loop. */
+/* Writes the code that begins the next iteration of a loop. */
 static bool turn(vs_translation *t, const vs_then *then) {
   const vs_script_node *n = node(t, then->node);
   if (n->kind == VS_SCRIPT_DO)
@@ -79,8 +80,8 @@ static bool turn(vs_translation *t, const vs_then *then) {
 
 static bool jump(vs_translation *t, uint32_t i);
 
-/* Writes the code after a try: control continues after the statement, or at the target of the jump whose number the try
- * returned. */
+/* Writes the code after a try. Control continues after the try statement, or at the target of the jump whose number the
+ * try returned. */
 static bool outcome(vs_translation *t, const vs_then *then) {
   vs_jump_target *f = then->target;
   const vs_script_node *n = node(t, f->node);
@@ -93,7 +94,7 @@ static bool outcome(vs_translation *t, const vs_then *then) {
         vs_translate_item(t, (vs_item){ .kind = VS_ITEM_COUNT, .a = (uint32_t)e + 1 }) && vs_translate_close(t));
     if (f->exits[e])
       TRY(jump(t, f->exits[e]));
-    else { /* a return out of the try, whose value was stored */
+    else { /* the jump was a return out of the try; its value was stored */
       vs_jump_target *outer = f->up;
       while (outer && !outer->guard) outer = outer->up;
       if (!outer)
@@ -129,8 +130,8 @@ static bool go(vs_translation *t, const vs_then *then) {
   return false;
 }
 
-/* Writes a break or continue: control continues where its statement says or, if a try is between, the part of the try
- * returns the jump's number. */
+/* Writes a break or continue. Control continues at the jump's target. If a try is between the jump and its target, the
+ * part of the try returns the jump's number instead. */
 static bool jump(vs_translation *t, uint32_t i) {
   uint32_t to = t->k->targets[i];
   for (vs_jump_target *f = t->targets; f; f = f->up) {
@@ -151,8 +152,8 @@ static bool jump(vs_translation *t, uint32_t i) {
   return false;
 }
 
-/* Writes the value of a return. If the expression may fail, its value is first bound to a variable, so that it is no
- * tail call, and an error shows the function's place. */
+/* Writes the value of a return. If the expression may fail, its value is first bound to a variable. The expression is
+ * then no tail call, and an error shows the function's place. */
 static bool kept_value(vs_translation *t, uint32_t i) {
   vs_script_kind kind = (vs_script_kind)node(t, i)->kind;
   if (kind == VS_SCRIPT_NAME || kind == VS_SCRIPT_NUMBER || kind == VS_SCRIPT_STRING || kind == VS_SCRIPT_FUNCTION)
@@ -180,7 +181,7 @@ static bool give_back(vs_translation *t, const vs_script_node *n) {
 
 /* ---- loops and switch statements ---- */
 
-/* Opens the call (loop:n ...) that begins the first iteration of loop n. */
+/* Opens the call (loop:n ...) that begins the first iteration of loop n. in: the loop is a for-in loop. */
 static bool first_turn(vs_translation *t, bool in, uint32_t number) {
   if (!in) return made_call(t, "loop:", number);
   return vs_translate_open(t) && vs_translate_made(t, "loop:", number) && vs_translate_call(t, "js:keys") &&
@@ -344,7 +345,7 @@ static bool try_statement(vs_translation *t, uint32_t i, const vs_then *then) {
 
 /* ---- statements ---- */
 
-/* Writes a statement in tail position, after which control continues at `then`. */
+/* Writes statement i in tail position, after which control continues at `then`. */
 static bool one_to(vs_translation *t, uint32_t i, const vs_then *then) {
   if (fact(t, i, VS_JUMPS_OUT)) return leaving(t, i, then);
   if (then->kind == VS_THEN_NOTHING) return done(t, i);
@@ -389,7 +390,7 @@ static bool leaving_part(vs_translation *t, uint32_t i, const vs_then *then) {
   }
 }
 
-/* Writes a statement that jumps leave. */
+/* Writes statement i, which jumps leave. After its end, control continues at `then`. */
 static bool leaving(vs_translation *t, uint32_t i, const vs_then *then) {
   if (++t->depth > MOST_DEPTH)
     return vs_script_fail(t->s, node(t, i)->at,
@@ -411,7 +412,7 @@ static bool declarations(vs_translation *t, const vs_script_node *n) {
   return vs_translate_item(t, (vs_item){ .kind = VS_ITEM_COUNT, .a = 0 }) && vs_translate_close(t);
 }
 
-/* Writes a statement that no jump leaves, as an expression whose value is not used. */
+/* Writes statement i, which no jump leaves, as an expression whose value is not used. */
 static bool done(vs_translation *t, uint32_t i) {
   const vs_script_node *n = node(t, i);
   t->at = n->at;
@@ -429,7 +430,7 @@ static bool done(vs_translation *t, uint32_t i) {
   }
 }
 
-/* Writes native text at the end of a function, whose value is that of the function. */
+/* Writes native text (Scheme) at the end of a function. Its value is the function's value. */
 static bool native_value(vs_translation *t, uint32_t i) {
   const vs_script_node *n = node(t, i);
   t->at = n->at;
@@ -439,7 +440,7 @@ static bool native_value(vs_translation *t, uint32_t i) {
          vs_translate_close(t) && vs_translate_close(t);
 }
 
-/* Writes the statements from `first` up to `stop`. Fewer than IN_ONE_ROW of them are left by jumps. */
+/* Writes the statements from `first` up to `stop`, excluding `stop`. Jumps leave fewer than IN_ONE_ROW of them. */
 static bool row(vs_translation *t, uint32_t first, uint32_t stop, const vs_then *then) {
   if (first == stop) return go(t, then);
   TRY(vs_translate_call(t, "js:begin"));
@@ -454,13 +455,14 @@ static bool row(vs_translation *t, uint32_t first, uint32_t stop, const vs_then 
       return native_value(t, i) && vs_translate_close(t);
     TRY(done(t, i));
     if (fact(t, i, VS_STAYS))
-      return vs_translate_word(t, "js:undefined") && vs_translate_close(t); /* the statements after this place are never
+      return vs_translate_word(t, "js:undefined") && vs_translate_close(t); /* no statement after this place is ever
                                                                              * reached */
   }
   return go(t, then) && vs_translate_close(t);
 }
 
-/* Divides a long list of statements into several procedures, to limit their nesting. */
+/* Writes the statements from `first` up to `stop` like `row`. Divides a long list into several procedures, to limit the
+ * nesting of their code. */
 static bool range(vs_translation *t, uint32_t first, uint32_t stop, const vs_then *then) {
   uint32_t leaving_count = 0, rows = 0, cut = 0;
   for (uint32_t i = first; i != stop && !cut; i = node(t, i)->next)
@@ -503,7 +505,8 @@ bool vs_translate_has_direct(const vs_translation *t, uint32_t i) {
   return true;
 }
 
-/* Returns true if a function's name is never assigned, so that it can be defined by (js:letrec ((f: ...) (f ...)). */
+/* Returns true if v is a declared function whose name is never assigned, so that it can be defined by (js:letrec ((f:
+ * ...) (f ...)). */
 static bool settled(const vs_translation *t, const vs_variable *v) {
   return v->kind == VS_VARIABLE_FUNCTION && !v->assigned && v->declaration &&
          node(t, v->declaration)->kind == VS_SCRIPT_FUNCTION;
@@ -558,16 +561,15 @@ static bool body(vs_translation *t, uint32_t i) {
   return (!functions || vs_translate_close(t)) && (!locals || vs_translate_close(t));
 }
 
-/* Writes the keyword parameter for `this`, if the function uses `this`. In a call that does not pass it, `this` is
- * undefined. */
+/* Writes the keyword parameter for `this` if `asks` is true. In a call that does not pass it, `this` is undefined. */
 static bool self_parameter(vs_translation *t, bool asks) {
   if (!asks) return true;
   return vs_translate_word(t, "#:this") && vs_translate_open(t) && vs_translate_word(t, "this:") &&
          vs_translate_word(t, "js:any?") && vs_translate_word(t, "js:undefined") && vs_translate_close(t);
 }
 
-/* Writes the parameters of a function that any code may call. All are optional; after them come `this`, if it is used,
- * and the rest parameter. */
+/* Writes the parameters of a function that any code may call. All are optional; after them come `this`, if `asks` is
+ * true, and the rest parameter. */
 static bool open_parameters(vs_translation *t, const vs_script_node *n, bool asks) {
   for (uint32_t p = n->a; p; p = node(t, p)->next) {
     bool again = false;
