@@ -10,7 +10,8 @@
 
 /* ---- checking arguments ---- */
 
-/* also accepts dual numbers (numbers with a derivative): each procedure below defines its result for them */
+/* Returns true if a[i] is a number or a dual number (a number with a derivative), for which each procedure below also
+ * defines its result. Otherwise returns false with the error set. */
 static bool want_number(vs_scheme *vm, const vs_value *a, int i) {
   return vs_is_scalar(a[i]) || vs_fail_type(vm, i, "a number", a[i]);
 }
@@ -200,7 +201,7 @@ static vs_status modulo(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return vs_number_modulo(vm, a[0], a[1], out);
 }
-/* Computes (x - (x modulo y)) / y, the quotient rounded down. */
+/* Sets *out to the quotient rounded down, computed as (x - (x modulo y)) / y. */
 static vs_status floor_quotient(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   VS_ROOTS(vm, r, 1);
@@ -303,7 +304,7 @@ static bool round_ratio(vs_scheme *vm, rounding how, vs_value *r, vs_value *out)
 
 static bool round_number(vs_scheme *vm, rounding how, const vs_value *a, vs_value *out) {
   if (!want_number(vm, a, 0)) return false;
-  if (vs_is_dual(a[0])) { /* the result of rounding is constant between jumps, so the derivative is 0 */
+  if (vs_is_dual(a[0])) { /* the rounded value is constant between its jumps, so the derivative is 0 */
     vs_value base = vs_dual_base(a[0]);
     return round_number(vm, how, &base, out);
   }

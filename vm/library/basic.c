@@ -85,7 +85,7 @@ static vs_status make_record_type(vs_scheme *vm, vs_value *a, int n, vs_value *o
   return *out = vs_from_object(t), VS_OK;
 }
 
-/* (%record type value ...): returns a record; a missing field is #f. */
+/* (%record type value ...): returns a new record. Fields without a value are #f. */
 static vs_status record(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (!vs_arg_type(vm, a, 0, VS_T_RECORD_TYPE)) return VS_ERROR;
   size_t count = vs_as_vector(vs_as_record_type(a[0])->fields)->length;
@@ -118,13 +118,15 @@ static bool has_field(vs_scheme *vm, const vs_value *a, int who) {
                                                           vs_is_symbol(type) ? vs_as_symbol(type)->name : "record");
 }
 
-/* (%record-ref record type index who): returns field number `index` of the record. */
+/* (%record-ref record type index who): returns field number `index` of the record. who: name of the accessor, for
+ * errors. */
 static vs_status record_ref(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return has_field(vm, a, 3) ? (*out = vs_as_record(a[0])->at[vs_fixnum(a[2])], VS_OK) : VS_ERROR;
 }
 
-/* (%record-set! record type index value who): sets field number `index` of the record. */
+/* (%record-set! record type index value who): sets field number `index` of the record. who: name of the procedure, for
+ * errors. */
 static vs_status record_set(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n, (void)out;
   if (!has_field(vm, a, 4)) return VS_ERROR;
@@ -151,7 +153,7 @@ static vs_status make_eqv(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return make_hash(vm, VS_TABLE_EQV, a, n, out);
 }
 
-/* (hash k v ...): returns a new hash table. */
+/* (hash k v ...): returns a new hash table with the value v for each key k. */
 static vs_status hash(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n % 2) return vs_fail(vm, vm->sym.arity, "keys and values come in pairs, got %d arguments", n);
   if (!vs_make_table(vm, VS_TABLE_EQUAL, out)) return VS_ERROR;

@@ -32,11 +32,12 @@ static vs_status integer_to_char(vs_scheme *vm, vs_value *a, int n, vs_value *ou
 
 /* ---- upper and lower case ---- */
 
-/* char_up and char_down return the upper and the lower case of a character. The sharp s, whose upper case has two
- * letters, stays unchanged. */
+/* char_up and char_down return a character's upper case and lower case. They return ß unchanged, because its upper case
+ * has two letters. */
 static uint32_t char_up(uint32_t c) { return c == 0xDF ? c : (uint32_t)utf8proc_toupper((utf8proc_int32_t)c); }
 static uint32_t char_down(uint32_t c) { return (uint32_t)utf8proc_tolower((utf8proc_int32_t)c); }
-/* Returns the folded case. The i with and the i without a dot remain different. */
+/* Returns the character's folded case, for comparisons that ignore case. The i with a dot and the i without a dot
+ * remain different. */
 static uint32_t char_fold(uint32_t c) { return c == 0x130 || c == 0x131 ? c : char_down(char_up(c)); }
 
 #define CASE(name, map)                                                        \
@@ -116,8 +117,8 @@ static bool is_lower(uint32_t c) {
 CATEGORIES(C)
 #undef C
 
-/* Returns the value of a decimal digit. Unicode has the digits 0 to 9 of a script in sequence, so the value is the
- * distance from the first of them, at most nine characters back. */
+/* Sets *out to the value of a decimal digit. In Unicode, the digits 0 to 9 of a script follow each other. The value is
+ * therefore the distance from the first digit, at most nine characters back. */
 static vs_status char_digit_value(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!arg_char(vm, a, 0)) return VS_ERROR;

@@ -3,10 +3,11 @@
  *
  * The dynamic state is three lists in struct vs_scheme, each part of a continuation:
  *   winders     vectors (before after handlers parameters), innermost first
- *   handlers    procedures; a list with a continuation belongs to a contract: a raise returns #f to the continuation
- *   parameters  (parameter . value)
- * The natives here keep their state in slots of their activations (native.h, VS_CALL), so that each may be left and
- * entered again. Comments list a native's arguments, and after a bar the slots for its state. */
+ *   handlers    procedures; a list with a continuation belongs to a contract: raise returns #f to this continuation
+ *   parameters  pairs (parameter . value)
+ * The natives of this file keep their state in slots of their activations (native.h, VS_CALL). A continuation may
+ * therefore leave and enter each of them again. Comments list a native's arguments and, after a bar, the slots for its
+ * state. */
 #include "vm/machine/activation.h"
 #include "vm/machine/fail.h"
 #include "vm/machine/native.h"
@@ -17,7 +18,8 @@
 
 /* ---- continuations and dynamic-wind ---- */
 
-/* Sets *out to the continuation of the running native, whose arguments are at vm->base. The activation moves. */
+/* Sets *out to the continuation of the running native, whose arguments are at vm->base. The native's activation moves,
+ * and vm->base with it. */
 static bool capture(vs_scheme *vm, vs_value *out) {
   if (!vs_activation_capture(vm, vm->base - 2, (size_t)(vm->top - vm->base), out)) return false;
   vm->captures++;
@@ -49,8 +51,9 @@ static void enter_state_of(vs_scheme *vm, vs_value winder) {
   vm->parameters = vs_as_vector(winder)->at[3];
 }
 
-/* throw: leaves and enters one dynamic-wind after another on the way to the continuation k; each time, computes the
- * remaining ones again. Arguments: k value | the winders after the running before thunk has returned, or #f. */
+/* throw: returns the value to the continuation k, after calling the `after` and `before` procedures of the
+ * dynamic-winds on the way, one at a time. After each call, determines the remaining ones again. Arguments: k value |
+ * list that vm->winders becomes after a `before` procedure has returned, or #f. */
 static vs_status throw_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (a[2] != VS_FALSE) { vm->winders = a[2]; a[2] = VS_FALSE; }
@@ -72,7 +75,7 @@ static vs_status throw_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_THROW;
 }
 
-/* Implements dynamic-wind. Arguments: before thunk after | phase, result. */
+/* Implements dynamic-wind. Arguments: before thunk after | phase, result of thunk. */
 static vs_status dynamic_wind(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n >= 0) {
     for (int i = 0; i < 3; i++)
@@ -140,7 +143,7 @@ static vs_status apply_self(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 }
 
 /* Returns true if the code is that of a function in a script (JavaScript). Such a function accepts any number of
- * values, and its translation has parameters for `this` or the rest. */
+ * arguments, and its translation has a parameter for `this` or a rest parameter. */
 static bool is_script_function(vs_scheme *vm, const vs_code *code) {
   const vs_vector *params = vs_as_vector(code->params);
   size_t before = (size_t)code->required + code->optional;
@@ -149,8 +152,9 @@ static bool is_script_function(vs_scheme *vm, const vs_code *code) {
   return vs_is_symbol(params->at[before]) && !strcmp(vs_as_symbol(params->at[before])->name, "more:");
 }
 
-/* (%procedure-shape procedure): returns #(least most script?). least and most are the numbers of arguments that the
- * procedure accepts; most is #f if there is no limit. For a function of a script, both are its number of parameters. */
+/* (%procedure-shape procedure): returns the vector #(least most script?). least and most are the numbers of arguments
+ * that the procedure accepts; most is #f if there is no limit. For a function of a script, least and most are its
+ * number of parameters. */
 static vs_status procedure_shape(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!vs_is_procedure(a[0])) return vs_fail_type(vm, 0, "a procedure", a[0]);
@@ -175,7 +179,7 @@ static vs_status procedure_shape(vs_scheme *vm, vs_value *a, int n, vs_value *ou
 }
 
 /* ---- handlers and raise ---- */
-/* Implements with-exception-handler. Arguments: handler thunk | outer handlers. */
+/* Implements with-exception-handler. Arguments: handler thunk | the list vm->handlers before the call. */
 static vs_status with_exception_handler(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   if (n >= 0) {
@@ -187,7 +191,7 @@ static vs_status with_exception_handler(vs_scheme *vm, vs_value *a, int n, vs_va
   return VS_OK;
 }
 
-/* Implements raise and raise-continuable. Arguments: obj | handlers at the raise. */
+/* Implements raise and raise-continuable. Arguments: obj | the list vm->handlers at the call of raise. */
 static vs_status raise_either(vs_scheme *vm, vs_value *a, int n, bool continuable) {
   if (n >= 0) {
     vm->native = NULL;
@@ -205,8 +209,8 @@ static vs_status raise_either(vs_scheme *vm, vs_value *a, int n, bool continuabl
     }
     a[1] = vm->handlers;
     vs_value handler = vs_car(vm->handlers);
-    if (vs_is_pair(handler)) {          /* the handler belongs to a contract: an error in the contract's predicate makes
-                                         * the predicate's value #f, unless memory is out */
+    if (vs_is_pair(handler)) {          /* a pair belongs to a contract whose predicate failed: the value of the
+                                         * predicate becomes #f, unless memory is out */
       if (vs_is(a[0], VS_T_CONDITION) && vs_as_condition(a[0])->kind == vm->sym.memory) {
         vm->handlers = vs_cdr(vm->handlers);
         return vs_fail_object(vm, a[0]);
@@ -221,8 +225,8 @@ static vs_status raise_either(vs_scheme *vm, vs_value *a, int n, bool continuabl
     vm->handlers = a[1];
     return VS_OK;
   }
-  /* The handler has returned, which is not permitted. The raised object is passed to the outer handlers; an error
-   * raised by `error` remains the same object. */
+  /* A handler of raise has returned, which is not permitted. The next outer handler receives an error; if the raised
+   * object is itself an error object, it receives that object. */
   vm->handlers = vs_cdr(a[1]);
   vm->native = NULL;
   if (vs_is(a[0], VS_T_CONDITION)) return vs_fail_object(vm, a[0]);
@@ -241,7 +245,7 @@ static vs_status raise_continuable(vs_scheme *vm, vs_value *a, int n, vs_value *
 }
 
 /* ---- parameters ---- */
-/* Implements make-parameter. Arguments: value [converter] | called. */
+/* Implements make-parameter. Arguments: value [converter] | whether the converter was called. */
 static vs_status make_parameter(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n >= 0 && a[1] != VS_ABSENT && a[1] != VS_FALSE) return vs_call(vm, a[1], 1, a);
   if (n < 0) a[0] = *out;
@@ -254,9 +258,9 @@ static vs_status make_parameter(vs_scheme *vm, vs_value *a, int n, vs_value *out
   return VS_OK;
 }
 
-/* Implements the form parameterize, which expands to a call of this native with lists of parameters and of new
- * values. Arguments: parameters values thunk | phase (0: converting values, 1: running), the bindings so far or the
- * outer list. */
+/* Implements the form parameterize, which expands to a call of this native with lists of parameters and of their new
+ * values. Arguments: parameters values thunk | phase (0: converting values, 1: running the thunk), list: in phase 0 the
+ * bindings so far, in phase 1 the list vm->parameters before the call. */
 static vs_status parameterize(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n < 0 && a[3] == vs_fix(1)) { vm->parameters = a[4]; return VS_OK; }
   VS_ROOTS(vm, r, 1);
@@ -308,7 +312,8 @@ static vs_status lazy(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return new_promise(vm, VS_FALSE, &a[0], out);
 }
-/* (%kept-promise v): like make-promise, but wraps a promise in another promise, for delay. */
+/* (%kept-promise v): returns a promise whose value is v, for delay. Unlike make-promise, it wraps even a v that is a
+ * promise. */
 static vs_status kept_promise(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return new_promise(vm, VS_TRUE, &a[0], out);
@@ -354,8 +359,8 @@ static vs_status any(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* Calls the predicate of a contract. Arguments: predicate value. Returns (predicate value), or #f if it raises an
- * error. */
+/* Calls the predicate of a contract, and catches errors. Arguments: predicate value. Returns (predicate value), or #f
+ * if it raises an error. */
 static vs_status guarded(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)a; (void)n;
   VS_ROOTS(vm, r, 1);
@@ -371,7 +376,7 @@ static bool contract_text(vs_text *t, vs_value v) {
   return vs_text_puts(t, name[0] == '%' && name[1] ? name + 1 : name);
 }
 
-/* Checks a contract. Arguments: predicate value #(name text who) | outer handlers. */
+/* Checks a contract. Arguments: predicate value #(name text who) | the list vm->handlers before the check. */
 static vs_status check(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   bool predicate = vs_is_procedure(a[0]);
   if (n >= 0 && predicate) {

@@ -17,7 +17,8 @@ static vs_status error(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
             (!plt || (vs_text_puts(&t, ": ") && vs_format(vm, a, 1, n, &t))) && vs_text_end(&t);
   r[0] = VS_NIL;
   for (int i = n; ok && !plt && i-- > 1;) ok = vs_cons(vm, a[i], r[0], &r[0]);
-  vm->native = NULL;                              /* the message is that of the program, without "error: " before it */
+  vm->native = NULL;                              /* the message consists of the program's text, without "error: "
+                                                   * before it */
   if (ok) {
     vs_fail_with(vm, vm->sym.error, r[0], "%s", t.at);
     if (is_condition(vm->condition) && vm->condition != vm->at.no_memory) {
@@ -70,15 +71,16 @@ static vs_status report(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return ok;
 }
 
-/* (exit [code]): runs the after procedures of every entered dynamic-wind. Then ends the program with an error object of
- * kind `exit`, which no handler receives. Its payload is the code, a fixnum. */
+/* (exit [code]): runs the `after` procedure of every dynamic-wind that was entered. Then ends the program with an error
+ * object of kind `exit`, which no handler receives. Its payload is the code, a fixnum. */
 static vs_status leave(vs_scheme *vm, vs_value code, vs_value *out) {
   (void)out;
   VS_ROOTS(vm, r, 2);
   r[0] = code == VS_TRUE || code == VS_ABSENT ? vs_fix(0)
          : vs_is_fixnum(code)                 ? vs_fix(vs_fixnum(code) & 255)
                                               : vs_fix(1);
-  /* the system uses only 8 bits of a code: 256 must not become 0, which means success */
+  /* The operating system uses only the lowest 8 bits of an exit code. A code such as 256 would become 0, which means
+   * success. */
   if (r[0] == vs_fix(0) && vs_is_fixnum(code) && code != vs_fix(0)) r[0] = vs_fix(1);
   if (!vs_intern_c(vm, "exit", &r[1])) return VS_ERROR;
   vm->native = NULL;

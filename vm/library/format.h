@@ -1,13 +1,13 @@
 /* Declares the directives of format, printf and PLT's error. ~a ~d: as by display; ~s ~w ~v: as by write; ~c: a
- * character; ~b ~o ~x ~e: a number in a radix (~e: inexact); ~n ~%: a newline; ~~: a tilde; ~ before a line end:
- * nothing. */
+ * character; ~b ~o ~x: a number in radix 2, 8, 16; ~e: an inexact number; ~n ~%: a newline; ~~: a tilde; ~ before a
+ * line end: nothing. */
 #ifndef VS_VM_LIBRARY_FORMAT_H
 #define VS_VM_LIBRARY_FORMAT_H
 
 #include "vm/values/printer.h"
 
-/* Appends the control string a[control] to t; its directives are replaced by the arguments a[control+1 ... n-1].
- * Returns false with the error set. */
+/* Appends the control string a[control] to t. The arguments a[control+1] to a[n-1] replace its directives. Returns
+ * false with the error set. */
 bool vs_format(vs_scheme *vm, const vs_value *a, int control, int n, vs_text *t);
 
 #endif

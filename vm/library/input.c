@@ -1,4 +1,4 @@
-/* Implements the procedures that read characters, lines, bytes and data from ports, and questions about ports and
+/* Implements the procedures that read characters, lines, bytes and data from ports, and those that test ports and
  * files. */
 #include "vm/machine/fail.h"
 #include "vm/numbers/number.h"
@@ -34,8 +34,8 @@ static vs_status peek_char(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* Reads up to `count` characters. If `line`, ends after the line end (\n, \r or both in this order), which is
- * omitted. */
+/* Reads up to `count` characters from the port. If `line` is true, ends after the next line end (\n, \r or both in this
+ * order), which the result does not contain. */
 static vs_status read_some(vs_scheme *vm, vs_value port, int64_t count, bool line, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   r[0] = port;
@@ -66,7 +66,7 @@ static vs_status read_line(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 static vs_status read_string(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_value port;
   int64_t k;
-  /* The port may also be the first argument, as in PLT Scheme and older systems. */
+  /* The port may also be the first of the two arguments, as in PLT Scheme and older systems. */
   if (n == 2 && vs_is(a[0], VS_T_PORT)) {
     vs_value swap = a[0];
     a[0] = a[1], a[1] = swap;
@@ -75,8 +75,8 @@ static vs_status read_string(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
          read_some(vm, port, k, false, out);
 }
 
-/* Stores the directives before a datum (such as #!fold-case) in the port's flags, since they also apply to later
- * reads. */
+/* Sets VS_PORT_FOLD in the port's flags by the directives at the start of the text (#!fold-case, #!no-fold-case), since
+ * they also apply to later reads from the port. */
 static void keep_directives(const vs_text *t, uint32_t *flags) {
   static const struct {
     const char *text;
@@ -95,8 +95,8 @@ static void keep_directives(const vs_text *t, uint32_t *flags) {
   }
 }
 
-/* Implements read: reads characters until a datum is complete. If the text is only a directive (#!fold-case),
- * continues. */
+/* Implements read: reads characters until a datum is complete. If these characters are only a directive (#!fold-case),
+ * continues to read. */
 static vs_status read_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   if (!in_port(vm, a, n, 0, 0, &r[0])) return VS_ERROR;
@@ -226,7 +226,7 @@ static vs_status close_output_port(vs_scheme *vm, vs_value *a, int n, vs_value *
   return (fits || vs_fail_type(vm, 0, "an output port", a[0])) && vs_port_close(vm, a[0]);
 }
 
-/* Sets *out to whether the argument is a port with all flags of `on` and none of `off`. */
+/* Sets *out to #t if the argument is a port that has all flags in `on` and none in `off`, otherwise to #f. */
 static vs_status port_has(const vs_value *a, uint32_t on, uint32_t off, vs_value *out) {
   uint32_t flags = vs_is(a[0], VS_T_PORT) ? vs_as_port(a[0])->flags : 0;
   *out = vs_bool(vs_is(a[0], VS_T_PORT) && (flags & on) == on && !(flags & off));
@@ -269,8 +269,8 @@ static vs_status is_eof(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 
 /* ---- testing and removing files ---- */
 
-/* Tests through the host whether the file named by a[0] exists; if `remove`, removes it. Returns false with the error
- * set if memory is out or a[0] is no name. */
+/* Sets *yes to whether the file with the name a[0] exists; if `remove` is true, to whether the host has removed it.
+ * Returns false with the error set if memory is out or a[0] is no name. */
 static bool ask_file(vs_scheme *vm, vs_value *a, bool remove, bool *yes, const char **why) {
   if (!vs_arg_type(vm, a, 0, VS_T_STRING)) return false;
   const vs_io *io = vm->config.io;

@@ -1,5 +1,5 @@
-/* Implements libraries of the language. define-library runs its body in a separate environment, import maps names,
- * require runs a file. */
+/* Implements libraries of the language: define-library runs its body in a separate environment, import makes names of a
+ * library visible, require runs a file. */
 #include "vm/library/library.h"
 #include "vm/front/derived_syntax.h"
 #include "vm/library/standard.h"
@@ -56,8 +56,8 @@ static bool not_exported(vs_scheme *vm, vs_pos pos, vs_value symbol) {
                     vs_is_symbol(symbol) ? vs_as_symbol(symbol)->name : "such name");
 }
 
-/* Imports the environment `from` into env. mapping: #t, or a table from local names to names in `from`. name: the
- * library's name, for errors. */
+/* Imports the environment `from` into env, and reports a name that cannot be imported. mapping: #t, or a table from
+ * local names to names in `from`. name: the library's name, for errors. */
 static bool take(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping, vs_value name, vs_pos pos) {
   VS_ROOTS(vm, r, 1);
   r[0] = name;
@@ -79,8 +79,8 @@ static bool take(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping, v
 }
 
 bool vs_library_import_set(vs_scheme *vm, vs_value set, vs_value env, vs_pos pos, vs_value *missing) {
-  VS_ROOTS(vm, r, 8);      /* roots of the garbage collector: the set, env, stack of modifiers, library, two tables,
-                            * name, temporary */
+  VS_ROOTS(vm, r, 8);      /* roots of the garbage collector: the import set, env, stack of modifiers, library, two
+                            * tables, name, temporary */
   r[0] = set; r[1] = env; r[2] = VS_NIL;
   *missing = VS_ABSENT;
   if (!vs_strip(vm, r[0], &r[0])) return false;
@@ -154,7 +154,7 @@ bool vs_library_import_set(vs_scheme *vm, vs_value set, vs_value env, vs_pos pos
   return take(vm, r[1], r[3], r[4], r[7], pos);
 }
 
-/* Writes the file name of a library: a/b/1.sld for (a b 1). */
+/* Writes the file name of the library to t: a/b/1.sld for (a b 1). */
 static bool library_file(vs_scheme *vm, vs_value name, vs_text *t) {
   bool ok = true;
   for (bool first = true; ok && vs_is_pair(name); name = vs_cdr(name), first = false) {
@@ -163,9 +163,9 @@ static bool library_file(vs_scheme *vm, vs_value name, vs_text *t) {
   return ok && vs_text_puts(t, ".sld");
 }
 
-/* Library names are relative to a folder: (towers spiral) is towers/spiral.sld there. Sets *depth to the number of
- * folders from the file `from` up to that folder, here 1. Sets it to 0 if env is no library, or its file has another
- * name. */
+/* Sets *depth to the number of folders between the file `from` and the folder to which library names are relative. A
+ * library (towers spiral) in towers/spiral.sld has depth 1. Sets *depth to 0 if env is no library, or if its file has
+ * another name. */
 static bool library_depth(vs_scheme *vm, vs_value env, uint32_t from, size_t *depth) {
   vs_value name = vs_as_environment(env)->name;
   int64_t parts = vs_list_length(name);
@@ -184,7 +184,8 @@ static bool library_depth(vs_scheme *vm, vs_value env, uint32_t from, size_t *de
   return ok;
 }
 
-/* Finds the file that may define a library, for an import in the file `from` and the environment env. */
+/* Finds the file that may define the library `name`, for an import in file number `from` and the environment env. Sets
+ * *path and *found as vs_source_find does. */
 static bool library_path(vs_scheme *vm, vs_value name, uint32_t from, vs_value env, vs_text *path, bool *found) {
   VS_ROOTS(vm, r, 2);
   vs_text t;
@@ -206,7 +207,8 @@ static bool core_value(vs_scheme *vm, const char *name, vs_value *out) {
   return true;
 }
 
-/* Returns the replacement for a library that other Schemes have and VisualScheme lacks, or NULL for other names. */
+/* Returns the name of a library that replaces `name`, a library of other Schemes that VisualScheme lacks. Returns NULL
+ * for other names. */
 static const char *instead_of(vs_value name) {
   static const struct { int number; const char *instead; } absent[] = {
 #define VS_ABSENT_LIBRARY(number, instead) {number, instead},
@@ -249,7 +251,7 @@ bool vs_library_import(vs_expansion *x) {
   vs_scheme *vm = x->vm;
   VS_ROOTS(vm, r, 5);
   if (vs_list_length(x->now.form) < 1) return vs_expand_shape(x, VS_FORM_import);
-  /* if a program begins with an import, only imported names are visible in it */
+  /* The program begins with an import, so only imported names are visible in it. */
   if (vs_environment_intake(x->now.env) == VS_INTAKE_FRESH) {
     vs_environment_forget_imports(x->now.env);
     vs_environment_set_intake(x->now.env, VS_INTAKE_STRICT);
@@ -334,8 +336,8 @@ bool vs_library_define(vs_expansion *x) {
       for (r[L_A] = vs_cdr(d); vs_is_pair(r[L_A]); r[L_A] = vs_cdr(r[L_A]))
         if (!vs_cons(vm, vs_car(r[L_A]), r[L_FORMS], &r[L_FORMS])) return false;
     } else if (is_word(head, "import") || is_word(head, "include") || is_word(head, "include-ci")) {
-      r[L_A] = d;      /* compares the word by its name in the core environment, since the new environment is still
-                        * empty */
+      r[L_A] = d;      /* the word is compared by its name in the core environment, since the library's environment is
+                        * still empty */
       if (!vs_core_name(vm,
                         is_word(head, "import")    ? "import"
                         : is_word(head, "include") ? "include"
@@ -344,7 +346,7 @@ bool vs_library_define(vs_expansion *x) {
           !vs_cons_at(vm, r[L_B], vs_cdr(r[L_A]), pos, &r[L_B]) || !vs_cons(vm, r[L_B], r[L_FORMS], &r[L_FORMS]))
         return false;
     } else if (is_word(head, "cond-expand")) {
-      r[L_B] = x->now.env;      /* a requirement (library ...) is tested as an import of the library into this
+      r[L_B] = x->now.env;      /* a requirement (library ...) tests whether the library can be imported into this
                                  * environment */
       x->now.env = r[L_ENV];
       bool ok = vs_cond_expand(x, d, &r[L_A]);
@@ -372,7 +374,8 @@ bool vs_library_define(vs_expansion *x) {
   }
   vs_environment *e = vs_as_environment(r[L_ENV]);
   vs_gc_store(vm, e, &e->exports, r[L_EXPORTS]);
-  /* Imports are processed first, wherever they are in the library. The last form registers the library. */
+  /* Imports are processed first, even if the library contains other forms before them. The last form registers the
+   * library. */
   VS_ROOTS(vm, q, 3);
   if (!vs_core_name(vm, "quote", &q[0]) || !vs_cons(vm, r[L_NAME], VS_NIL, &q[1]) || !vs_cons(vm, q[0], q[1], &q[0]) ||
       !vs_cons(vm, r[L_ENV], VS_NIL, &q[1]) || !vs_cons(vm, q[0], q[1], &q[1]) ||
@@ -397,7 +400,7 @@ bool vs_library_require(vs_expansion *x) {
   VS_ROOTS(vm, r, 4);
   int64_t n = vs_list_length(x->now.form);
   if (n < 2) return vs_expand_shape(x, VS_FORM_require);
-  if (n > 2) {                                     /* several files are loaded in order */
+  if (n > 2) {                                     /* (require a b ...) loads several files in order */
     r[1] = VS_NIL;
     for (r[0] = vs_cdr(x->now.form); vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) {
       vs_pos pos = vs_element_pos(r[0], false, x->now.pos);
@@ -423,7 +426,7 @@ bool vs_library_require(vs_expansion *x) {
       return vs_expand_fail(x, pos, vs_car(vs_cdr(x->now.form)),
                             "require: this is not built in, and a file is named by a string:");
     x->result = VS_EXPAND_NOTHING;
-    /* A program must import (srfi 26), whose names are not visible otherwise. */
+    /* The names of (srfi 26) are not visible in a program without an import, so require becomes an import. */
     return vs_library_import_set(vm, spec, x->now.env, pos, &r[1]);
   }
   vs_text path;

@@ -15,7 +15,7 @@ enum { POLL_STEP = 1024, POLL_COST = 4 * POLL_STEP /* POLL_STEP: number of pairs
 
 /* ---- building lists ---- */
 
-enum { HEAD, TAIL, NEW, MAKER_ROOTS }; /* number of roots of the garbage collector in a list_maker */
+enum { HEAD, TAIL, NEW, MAKER_ROOTS }; /* number of garbage-collector roots in a list_maker */
 #define LIST_MAKER(vm, r) VS_ROOTS(vm, r, MAKER_ROOTS); r[HEAD] = r[TAIL] = VS_NIL
 
 /* Appends an element to the list of a list_maker r. x need not be a root of the garbage collector: vs_cons protects
@@ -49,7 +49,8 @@ static bool arg_list(vs_scheme *vm, const vs_value *a, int arg, int64_t *length)
   return *length >= 0 || vs_fail_type(vm, arg, "a list", a[arg]);
 }
 
-/* Returns the last cdr of a list: () for a proper list, or VS_ABSENT for a circular list. */
+/* Returns the last cdr of a list: () for a proper list, another value for a dotted list, VS_ABSENT for a circular
+ * list. */
 static vs_value last_cdr(vs_value list) {
   vs_value mark = list;                 /* Brent's cycle detection: one pointer advances, the other follows at powers of
                                          * two */
@@ -65,7 +66,7 @@ static bool arg_ends(vs_scheme *vm, const vs_value *a, int arg) {
   return last_cdr(a[arg]) != VS_ABSENT || vs_fail_type(vm, arg, "a list that ends", a[arg]);
 }
 
-/* Checks that a[arg] begins with at least n pairs, and sets *at to the part after them. */
+/* Checks that a[arg] begins with at least n pairs. Sets *at to the cdr of the last of them. */
 static bool arg_pairs(vs_scheme *vm, const vs_value *a, int arg, int64_t n, vs_value *at) {
   vs_value l = a[arg];
   for (int64_t i = 0; i < n; i++, l = vs_cdr(l)) {
@@ -104,14 +105,15 @@ static vs_status list_set_cdr(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   return VS_OK;
 }
 
-/* Applies car and cdr as the letters between c and r of the procedure's name say (cadr), from the right to the left. */
+/* Applies car and cdr as the letters between c and r in a procedure's name such as cadr say, from right to left. path:
+ * the name; length: its length. */
 static vs_status list_path(vs_scheme *vm, vs_value *a, const char *path, size_t length, vs_value *out) {
   vs_value v = a[0];
   for (size_t i = length; i-- > 0;) {
     if (!vs_is_pair(v)) {
       if (v == a[0]) return vs_fail_type(vm, 0, "a pair", v);
-      size_t tails = strspn(path + 1, "d");        /* tails: number of d letters; the message for cddr, cadr, caddr and
-                                                    * so on states how many elements the list needs */
+      size_t tails = strspn(path + 1, "d");        /* tails: number of d letters after the first letter. Errors of cddr,
+                                                    * cadr, caddr and so on state how many elements the list needs */
       static const char *const lists[] = { "a list of two elements or more", "a list of three elements or more",
                                            "a list of four elements or more" };
       return vs_fail_type(vm, 0,
@@ -183,8 +185,8 @@ static vs_status list_make_list(vs_scheme *vm, vs_value *a, int n, vs_value *out
   return VS_OK;
 }
 
-/* Sets *out to a list of count numbers from + i*step. Each number is computed from the start, so that rounding errors
- * do not accumulate. */
+/* Sets *out to a list of `count` numbers, from + i*step for i = 0, 1, .... Each number is computed from `from`, so that
+ * rounding errors do not accumulate. */
 static vs_status list_numbers(vs_scheme *vm, int64_t count, const vs_value *from, const vs_value *step, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   VS_ASSERT(count >= 0);
@@ -209,7 +211,8 @@ static vs_status list_iota(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return list_numbers(vm, count, &r[0], &r[1], out);
 }
 
-/* (range end), (range start end [step]): returns a list without `end` itself. */
+/* (range end), (range start end [step]): returns the list of numbers from start (0 by default) up to `end`, excluding
+ * `end`. */
 static vs_status list_range(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 4); /* roots of the garbage collector: start, end, step, temporary value */
   for (int i = 0; i < n; i++) {
@@ -230,7 +233,7 @@ static vs_status list_range(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
     return VS_ERROR;
   double guess = (end - from) / step;
   int64_t count = guess > 0 ? guess < 1e15 ? (int64_t)guess : INT64_C(1000000000000000) : 0;
-  if (count > 0) count--; /* the estimated count may be 1 too large; exact arithmetic decides */
+  if (count > 0) count--; /* the estimated count may be 1 too large; exact arithmetic determines the right one */
   for (;; count++) {
     if (!vs_number_mul(vm, vs_fix(count), r[2], &r[3]) || !vs_number_add(vm, r[0], r[3], &r[3]) ||
         !vs_number_test(vm, down ? VS_GT : VS_LT, r[3], r[1], &more))
@@ -365,16 +368,17 @@ static vs_status list_reverse_own(vs_scheme *vm, vs_value *a, int n, vs_value *o
   return vs_list_own_turned(vm, &a[0], a[1], out);
 }
 
-/* Returns #t if the arguments are so simple that map and for-each may use a fast path. Otherwise they check their
- * arguments and report errors. */
+/* Returns #t if a[0] is a procedure and a[1] a proper list; map and for-each then use a fast path. Otherwise they check
+ * their arguments and report errors. */
 static vs_status list_each_p(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)vm, (void)n;
   *out = vs_bool(vs_is_procedure(a[0]) && vs_list_length(a[1]) >= 0);
   return VS_OK;
 }
 
-/* Implements map for one list. Arguments: procedure list | results so far, reversed; number of continuations at the
- * start. If there are enough registers, the instructions EACH and MORE replace the call (run_loop.c). */
+/* Implements map for one list. Arguments: procedure list | results so far, in reverse order; number of continuations
+ * that existed at the start. If there are enough registers, the instructions EACH and MORE replace the call
+ * (run_loop.c). */
 static vs_status list_map_each(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n >= 0) a[2] = VS_NIL, a[3] = vs_captures(vm);
   else if (!vs_cons(vm, *out, a[2], &a[2])) return VS_ERROR;
@@ -399,7 +403,7 @@ static vs_status list_append_reverse(vs_scheme *vm, vs_value *a, int n, vs_value
   return list_reverse_onto(vm, a, a[1], out);
 }
 
-/* Copies a list. As in R7RS the last cdr is kept, so that dotted lists are copied, too. */
+/* Copies a list. As in R7RS, a dotted list keeps its last cdr. */
 static vs_status list_copy(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   LIST_MAKER(vm, r);
@@ -422,7 +426,7 @@ static vs_status list_take(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* Sets *pairs to the number of pairs of a list, which may be dotted. Reports a circular list. */
+/* Sets *pairs to the number of pairs of the list a[arg], which may be dotted. Reports a circular list. */
 static bool arg_dotted(vs_scheme *vm, const vs_value *a, int arg, int64_t *pairs) {
   if (last_cdr(a[arg]) == VS_ABSENT) return vs_fail_type(vm, arg, "a list that ends", a[arg]);
   *pairs = 0;
@@ -457,9 +461,10 @@ static vs_status list_split_at(vs_scheme *vm, vs_value *a, int n, vs_value *out)
   return vs_several(vm, a, 2, out);
 }
 
-/* Returns the list of all elements of nested lists, in order; any other value is one element. A list of places to which
- * to return replaces recursion. A list that contains itself would be entered without end. Each list that is entered is
- * therefore compared with the list that was entered at a smaller depth which is a power of two. */
+/* Returns the list of all elements of nested lists, in order; a value that is no list counts as one element. An
+ * explicit list of the places to continue replaces recursion. A list that contains itself would never end. Each list
+ * that is entered is therefore compared with an earlier one, which was entered at a smaller depth that is a power of
+ * two. */
 static vs_status list_flatten(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   LIST_MAKER(vm, r);
@@ -504,8 +509,8 @@ static bool list_same(vs_scheme *vm, same_kind kind, vs_value x, vs_value y, boo
   return true;
 }
 
-/* Searches the list a[1] for a[0]. If `entries`, compares a[0] with the car of each element. a[] are roots of the
- * garbage collector, since vs_equal may move objects. */
+/* Searches the list a[1] for the value a[0]. If `entries` is true, compares a[0] with the car of each element. The
+ * elements of `a` are roots of the garbage collector, since vs_equal may move objects. */
 static vs_status list_search(vs_scheme *vm, vs_value *a, same_kind kind, bool entries, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   r[0] = a[1];
@@ -539,7 +544,7 @@ SEARCH(memq, BY_EQ, false) SEARCH(memv, BY_EQV, false) SEARCH(member, BY_EQUAL, 
 SEARCH(assq, BY_EQ, true) SEARCH(assv, BY_EQV, true) SEARCH(assoc, BY_EQUAL, true)
 #undef SEARCH
 
-/* ---- checks for list procedures in Scheme; errors are reported in the name of `who` ---- */
+/* ---- checks for list procedures that are written in Scheme; errors show the name `who` ---- */
 
 static vs_status fail_list(vs_scheme *vm, vs_value who, vs_value list) {
   VS_ROOTS(vm, r, 1);
@@ -561,8 +566,8 @@ static vs_status need_list(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return length < 0 ? fail_list(vm, a[0], a[1]) : vs_poll(vm, (uint64_t)length);
 }
 
-/* (%need-lists who lists): checks the lists of one traversal: at least one, at least one of them proper, and no other
- * values. */
+/* (%need-lists who lists): checks the list arguments of a procedure such as map. There must be at least one; all must
+ * be lists, and at least one must be proper. */
 static vs_status need_lists(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n, (void)out;
   if (a[1] == VS_NIL) {

@@ -1,18 +1,18 @@
-/* Implements powers, roots, logarithms and trigonometry. Arguments outside a function's domain are errors, not NaN. If
- * an exact argument has an exact result (sin 0, expt 2/3 100, sqrt 1/4), it remains exact. */
+/* Implements powers, roots, logarithms and trigonometry. An argument outside a function's domain is an error; the
+ * result is not NaN. If an exact argument has an exact result (sin 0, expt 2/3 100, sqrt 1/4), the result is exact. */
 #include <math.h>
 #include <stdio.h>
 
 #include "vm/numbers/dual.h"
 #include "vm/numbers/integer.h"
 
-/* Computes the running procedure for a record that acts as a number (an interval), by a function that the host has
- * registered. */
+/* Computes the running procedure for arguments of which one is a record that acts as a number (an interval). A function
+ * that the host has registered computes the result. */
 static vs_status of_record(vs_scheme *vm, const vs_value *a, int n, vs_value *out) {
   return vm->flat->call(vm, vs_as_symbol(vm->native->name)->name, a, n, out);
 }
 
-/* Returns true if both are numbers, and at least one is a dual number (a number with a derivative). */
+/* Returns true if a[0] and a[1] are numbers, and at least one is a dual number (a number with a derivative). */
 static bool dual_pair(const vs_value *a) {
   return (vs_is_dual(a[0]) || vs_is_dual(a[1])) && vs_is_scalar(a[0]) && vs_is_scalar(a[1]);
 }
@@ -37,8 +37,8 @@ static vs_status exp_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return (void)n, function(vm, a, exp, 0, 1, out);
 }
 
-/* Warns about an integer that is probably an angle in degrees, since programs seldom mean so many radians. Does not
- * warn if this place of the program called with an integer from 1 to 6 before, as a loop that counts does. */
+/* Warns about an integer that is probably an angle in degrees (30, 45, 60, ... 360) where radians are expected. Does
+ * not warn if the same call in the program had an integer from 1 to 6 before, as in a counting loop. */
 static void suspect_degrees(vs_scheme *vm, const char *name, vs_value v) {
   if (!vs_is_fixnum(v) || !vm->config.suspect) return;
   int64_t x = vs_fixnum(v) < 0 ? -vs_fixnum(v) : vs_fixnum(v);
@@ -70,14 +70,14 @@ static vs_status tanh_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return (void)n, function(vm, a, tanh, 0, 0, out);
 }
 
-/* corrects cbrt, whose last digit may be wrong (even for 27), by one Newton step */
+/* returns the cube root; one Newton step corrects the last digit of cbrt, which may be wrong (even for 27) */
 static double cube_root(double x) {
   double c = cbrt(x);
   return c == 0 || !isfinite(c) ? c : c - (c - x / (c * c)) / 3;
 }
 
-/* Sets *root to the exact cube root of an exact integer, or to VS_FALSE if there is none, or the integer exceeds
- * 10^15. */
+/* Sets *root to the exact cube root of an exact integer. Sets it to VS_FALSE if there is none, or if it is no fixnum
+ * (48 bits). */
 static bool integer_cbrt(vs_scheme *vm, vs_value n, vs_value *root) {
   VS_ROOTS(vm, r, 2);
   VS_ASSERT(vs_is_exact_integer(n));
@@ -85,8 +85,8 @@ static bool integer_cbrt(vs_scheme *vm, vs_value n, vs_value *root) {
   double d;
   if (!vs_number_double(vm, r[0], &d)) return false;
   *root = VS_FALSE;
-  double c = round(cbrt(d));          /* below 10^15, cbrt is accurate to less than one half, so rounding finds the
-                                       * root */
+  double c = round(cbrt(d));          /* for a root below 10^15, the error of cbrt is less than one half, so rounding
+                                       * finds an integer root */
   if (!(fabs(c) <= 1e15)) return true;
   vs_value guess = vs_fix((int64_t)c);
   if (!vs_fits_fixnum((int64_t)c)) return true;
@@ -155,7 +155,7 @@ static bool natural_log(vs_scheme *vm, const vs_value *a, int i, double *out) {
   if (!want_double(vm, a, i, &x)) return false;
   if (x < 0 || a[i] == vs_fix(0)) return vs_fail_type(vm, i, "positive", a[i]);
   if (vs_is_double(a[i]) || (x != 0 && isfinite(x))) return *out = log(x), true;
-  /* An exact number outside the range of doubles is scaled by a power of two. */
+  /* The exact number is outside the range of doubles: scales it by a power of two. */
   VS_ROOTS(vm, r, 2);
   r[0] = vs_is_ratio(a[i]) ? vs_as_ratio(a[i])->num : a[i];
   r[1] = vs_is_ratio(a[i]) ? vs_as_ratio(a[i])->den : vs_fix(1);
@@ -210,8 +210,8 @@ static bool exact_power(vs_scheme *vm, vs_value base, vs_value exponent, vs_valu
   VS_ASSERT(vs_is_exact(base) && vs_is_exact_integer(exponent));
   r[0] = base;
   bool negative = vs_int_sign(exponent) < 0;
-  if (!vs_is_fixnum(exponent)) {                 /* the exponent exceeds 2^47: only the bases 0, 1 and -1 have a power
-                                                  * that fits into memory */
+  if (!vs_is_fixnum(exponent)) {                 /* the exponent exceeds 2^47: only for the bases 0, 1 and -1 does the
+                                                  * power fit into memory */
     if (base == vs_fix(1)) return *out = base, true;
     if (base == vs_fix(-1)) return *out = vs_fix(vs_int_is_odd(exponent) ? -1 : 1), true;
     if (base == vs_fix(0) && !negative) return *out = base, true;

@@ -1,5 +1,5 @@
-/* Implements the procedures that print: display, write and similar, format and printf. Each first creates its complete
- * text and then passes it to the port, so that an error or interrupt does not print a part of it. */
+/* Implements the procedures that print: display, write and similar, format and printf. Each procedure first creates its
+ * complete text and then passes it to the port. An error or interrupt therefore never leaves a partial text. */
 #include <math.h>
 #include <stdio.h>
 
@@ -12,7 +12,8 @@
 #include "vm/values/heap.h"
 #include "vm/values/string_chars.h"
 
-/* Sets *port to argument i, or to the current output port, and checks it. */
+/* Sets *port to argument i or, if it is absent, to the current output port. Checks that it is an output port of this
+ * kind. */
 static bool out_port(vs_scheme *vm, const vs_value *a, int n, int i, uint32_t kind, vs_value *port) {
   *port = n > i ? a[i] : vs_port_current_output(vm);
   if (!vs_is(*port, VS_T_PORT)) return n > i ? vs_fail_type(vm, i, "an output port", *port) : false;
@@ -145,7 +146,8 @@ static format_field format_field_at(vs_value control, size_t *i, size_t length) 
   return f;
 }
 
-/* Writes a number rounded to `decimals` digits after the point, as in ~8,2f. Without them, writes it as usual. */
+/* Writes a number rounded to `decimals` digits after the point, as in ~8,2f. If decimals is -1, writes it as `display`
+ * does. */
 static bool format_fixed(vs_scheme *vm, vs_value v, int64_t decimals, vs_text *t) {
   double d;
   if (!vs_number_double(vm, v, &d)) return false;
@@ -168,7 +170,7 @@ static bool format_number(vs_scheme *vm, vs_value v, char directive, const forma
   return vs_number_print(vm, v, directive == 'b' ? 2 : directive == 'o' ? 8 : 16, t);
 }
 
-/* Appends the control string a[control] to t; its directives are replaced by the arguments after it. */
+/* Appends the control string a[control] to t. The arguments after it replace its directives. */
 bool vs_format(vs_scheme *vm, const vs_value *a, int control, int n, vs_text *t) {
   size_t length = vs_as_string(a[control])->length;
   int next = control + 1;
@@ -206,7 +208,7 @@ bool vs_format(vs_scheme *vm, const vs_value *a, int control, int n, vs_text *t)
     bool number = strchr("boxef", d) != NULL;
     bool ok = number ? format_number(vm, v, d, &field, to)
                      : vs_print(vm, v, d == 'a' || d == 'd' || d == 'c' ? VS_PRINT_DISPLAY : VS_PRINT_WRITE, to);
-    /* Aligns numbers to the right and other values to the left; with @, the opposite sides. */
+    /* Aligns numbers to the right and other values to the left; with @ in the directive, the other way round. */
     if (ok && to == &own) {
       int64_t shown = 0;
       for (size_t k = 0; k < own.count; k++) shown += ((unsigned char)own.at[k] & 0xC0) != 0x80;

@@ -1,8 +1,8 @@
 /* Implements ports (port.h): input and output of characters and bytes, for files, the console, strings and bytevectors.
  *
- * An input port has all its data in `buffer` (BYTES) from `position` to `limit`. Only the console adds data, one line
- * at a time. An output port into memory collects data in `buffer`, of which `position` bytes are used. All others pass
- * their bytes to the host. */
+ * The unread data of an input port are in `buffer` (BYTES) from `position` to `limit`. Only the console adds data, one
+ * line at a time. An output port into memory collects data in `buffer`, of which `position` bytes are used. All other
+ * output ports pass their bytes to the host. */
 #include "vm/library/port.h"
 
 #include "vm/library/kept.h"
@@ -206,7 +206,7 @@ static bool refill(vs_scheme *vm, vs_value port, bool *any) {
   if (n == 0) return true;
   VS_ROOTS(vm, r, 2);
   r[0] = port;
-  /* left: number of bytes not yet read: an incomplete character, or a datum that was only peeked at */
+  /* left: number of bytes not yet read. They are an incomplete character, or data that a program has only peeked at. */
   size_t left = (size_t)(p->limit - p->position);
   if (!vs_make_bytes(vm, left + (size_t)n, &r[1])) return false;
   p = vs_as_port(r[0]);
@@ -218,7 +218,7 @@ static bool refill(vs_scheme *vm, vs_value port, bool *any) {
   return *any = true;
 }
 
-/* Sets *at and *count to the available bytes. If there are fewer than `wanted`, first reads more. */
+/* Sets *at and *count to the port's unread bytes. If there are fewer than `wanted`, first reads more. */
 bool vs_port_fill(vs_scheme *vm, vs_value port, size_t wanted, const uint8_t **at, size_t *count) {
   VS_ROOTS(vm, r, 1);
   r[0] = port;
@@ -230,7 +230,8 @@ bool vs_port_fill(vs_scheme *vm, vs_value port, size_t wanted, const uint8_t **a
   return true;
 }
 
-/* Sets *c to the next character without advancing, or to -1 at the end, and *used to its length in bytes. */
+/* Sets *c to the next character of the port without reading past it, or to -1 at the end. Sets *used to the character's
+ * length in bytes. */
 static bool look(vs_scheme *vm, vs_value *port, int32_t *c, size_t *used) {
   const uint8_t *at;
   size_t count;

@@ -12,13 +12,14 @@
 typedef enum { VS_IO_READ, VS_IO_WRITE, VS_IO_APPEND } vs_io_mode;
 enum { VS_IO_STDIN = 0, VS_IO_STDOUT = 1, VS_IO_STDERR = 2 };       /* numbers of the streams that are always open */
 
-/* Functions of the host. Any of them may be NULL; a procedure that needs it then fails with "not available here". */
-/* Text of *why if a function fails because memory is out, and not because of the file. */
+/* Functions of the host. Any of them may be NULL; the Scheme procedures that need it then fail with "not available
+ * here". */
+/* Text to which a host function sets *why if it fails because memory is out, not because of the file. */
 #define VS_IO_NO_MEMORY "out of memory"
 
 typedef struct vs_io {
-  /* Opens a file and returns the number of a stream, above 2. If it fails, returns -1 and sets *why, such as "no such
-   * file", valid until the next call. */
+  /* Opens a file and returns the number of a stream, above 2. If it fails, returns -1 and sets *why to a text such as
+   * "no such file", valid until the next call. */
   int64_t (*open)(void *user, const char *path, vs_io_mode mode, const char **why);
   /* Returns the number of bytes read, 0 at the end of the stream, -1 on failure. */
   ptrdiff_t (*read)(void *user, int64_t stream, void *to, size_t room);
@@ -28,11 +29,12 @@ typedef struct vs_io {
   bool (*close)(void *user, int64_t stream);
   bool (*exists)(void *user, const char *path);
   bool (*remove)(void *user, const char *path, const char **why);
-  /* Calls `take` with each name in the folder, except . and .. . If it fails, returns false and sets *why. If `take`
-   * returns false, also returns false, with *why unchanged. */
+  /* Calls `take` with each name in the folder, except . and .. . If the folder cannot be read, returns false and sets
+   * *why. If `take` returns false, also returns false, with *why unchanged. */
   bool (*list)(void *user, const char *path, bool (*take)(void *context, const char *name, size_t length),
                void *context, const char **why);
-  double (*now)(void *user);                                                 /* returns seconds since 1970 */
+  double (*now)(void *user);                                                 /* returns the time in seconds since
+                                                                              * 1970 */
   const char *(*getenv)(void *user, const char *name);
   /* Returns environment variable i as NAME=value, or NULL if there is none. */
   const char *(*variable)(void *user, size_t i);
@@ -44,34 +46,34 @@ enum {                       /* flags of a port */
 };
 
 bool vs_port_open_file(vs_scheme *vm, vs_value path, vs_io_mode mode, uint32_t flags, vs_value *out);
-/* Opens an input port that reads `count` bytes of a bytevector. */
+/* Sets *out to a new input port that reads the first `count` bytes of a bytevector. */
 bool vs_port_open_bytes(vs_scheme *vm, vs_value bytes, size_t count, uint32_t flags, vs_value *out);
-/* Opens an output port that collects a string. */
+/* Sets *out to a new output port that collects a string. */
 bool vs_port_open_text(vs_scheme *vm, vs_value *out);
 bool vs_port_write(vs_scheme *vm, vs_value port, const char *bytes, size_t n);
-/* Sets *c to the next code point, or to -1 at the end. */
+/* Reads a character: sets *c to its code point, or to -1 at the end. */
 bool vs_port_read_char(vs_scheme *vm, vs_value port, int32_t *c);
 bool vs_port_peek_char(vs_scheme *vm, vs_value port, int32_t *c);
-/* Sets *at and *count to the available bytes: at least `wanted`, unless the port's data end before. The bytes remain in
- * the port until the caller advances its `position`. */
+/* Sets *at and *count to the port's unread bytes: at least `wanted` bytes, or fewer at the end of the data. The bytes
+ * remain unread until the caller advances the port's `position`. */
 bool vs_port_fill(vs_scheme *vm, vs_value port, size_t wanted, const uint8_t **at, size_t *count);
 bool vs_port_close(vs_scheme *vm, vs_value port);
-/* Sets *out to the parameter object of the current input (0), output (1) or error port (2). */
+/* Sets *out to the parameter object of the current input port (stream 0), output port (1) or error port (2). */
 bool vs_port_parameter(vs_scheme *vm, int stream, vs_value *out);
-/* Returns true if v is allowed as the parameter's value: for the parameters of the current ports, a port of the right
- * direction; for others any value. */
+/* Returns true if v is allowed as the value of `parameter`. The parameters of the current ports allow only a port of
+ * the right direction; other parameters allow any value. */
 bool vs_port_parameter_fits(const vs_scheme *vm, vs_value parameter, vs_value v);
-/* These functions return the current ports: the values of their parameter objects or, before these exist, the standard
- * ports. */
+/* vs_port_current_output and similar functions return the current ports: the values of their parameter objects or,
+ * before these objects exist, the standard ports. */
 vs_value vs_port_current_output(vs_scheme *vm);
 vs_value vs_port_current_input(vs_scheme *vm);
 
 /* Creates the three standard ports and their parameter objects (vm->at.standard_..., vm->at.lib) if they do not exist.
- * Procedures of ports call it first. */
+ * Procedures that use ports call this function first. */
 bool vs_port_setup(vs_scheme *vm);
 
-/* Reads a file into a BYTES object, which counts for the memory limit; an error names the file. Used by load, include
- * and ports. */
+/* Sets *out to a BYTES object with the content of a file. The object counts for the memory limit. An error message
+ * names the file. */
 bool vs_io_read_file(vs_scheme *vm, const char *path, vs_value *out);
 
 #endif

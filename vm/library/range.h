@@ -4,8 +4,8 @@
 
 #include "vm/machine/native.h"
 
-/* Sets *start and *end to a[arg] and a[arg + 1], or to 0 and length if they are absent. Checks that 0 <= *start <= *end
- * <= length. Returns false with the error set. */
+/* Sets *start and *end to the arguments a[arg] and a[arg + 1]; an absent argument is 0 for *start, `length` for *end.
+ * Checks that 0 <= *start <= *end <= length. Returns false with the error set. */
 static inline bool vs_arg_range(vs_scheme *vm, const vs_value *a, int n, int arg, int64_t length, int64_t *start,
                                 int64_t *end) {
   VS_ASSERT(length >= 0);

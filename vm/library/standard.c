@@ -1,6 +1,6 @@
-/* Implements the built-in libraries of libraries.def, such as (scheme base) and (srfi 1). Each is an environment with a
- * table of some cells and macros of the complete library, created when it is first used. (visualscheme) is the complete
- * library itself. */
+/* Implements the built-in libraries of libraries.def, such as (scheme base) and (srfi 1). Each is an environment with
+ * some cells and macros of the complete library, created when it is first used. (visualscheme) is the complete library
+ * itself. */
 #include "vm/library/standard.h"
 
 #include "vm/front/source.h"
@@ -46,8 +46,8 @@ static int row_of(vs_value name) {
   return -1;
 }
 
-/* Returns true for names of the complete library: (visualscheme), and the names of languages that PLT Scheme's require
- * accepts and that this library replaces. */
+/* Returns true if `name` means the complete library: (visualscheme), or the name of a language in PLT Scheme that the
+ * library replaces. */
 static bool is_whole(vs_value name) {
   if (vs_is_pair(name))
     return vs_is_symbol(vs_car(name)) && !strcmp(vs_as_symbol(vs_car(name))->name, "visualscheme") &&
@@ -58,8 +58,8 @@ static bool is_whole(vs_value name) {
          starts(s, "racket/") || starts(s, "mzlib/");
 }
 
-/* Returns the next word at *s of a list of exports, and its length; length 0: the list has ended. *inside: the name
- * that the word has inside the library. */
+/* Returns the next word of the list of exports at *s, and sets *length. At the end of the list, *length is 0. *inside:
+ * the name that the word has inside the library. */
 static const char *next_word(const char **s, size_t *length, const char **inside, size_t *inside_length) {
   const char *word = *s + strspn(*s, " "), *end = word + strcspn(word, " "),
              *equals = memchr(word, '=', (size_t)(end - word));
@@ -94,7 +94,7 @@ bool vs_library_built_in(vs_scheme *vm, vs_value name, vs_value *env) {
   int row = row_of(name);
   if (row < 0) return true;
   VS_ROOTS(vm, r, 3);
-  /* Searches the library's short name among the libraries that were already created. */
+  /* Searches for the library's short name among the libraries that were already created. */
   if (!vs_intern_c(vm, libraries[row].name, &r[0])) return false;
   for (vs_value l = vm->at.libraries; vs_is_pair(l); l = vs_cdr(l))
     if (vs_car(vs_car(l)) == r[0]) { *env = vs_cdr(vs_car(l)); return true; }
@@ -109,8 +109,7 @@ bool vs_library_is_built_in(vs_value name) { return is_whole(name) || row_of(nam
 
 /* ---- finding the libraries that export a name ---- */
 
-/* Returns true if the text of a library that vs contains, from `at` to `end`, has the name in its (export ...). Skips
- * comments. */
+/* Returns true if the library with the text from `at` to `end` has the name in its (export ...). Skips comments. */
 static bool exports_name(const char *at, const char *end, const vs_symbol *name) {
   static const char form[] = "(export";
   while (at < end && !((size_t)(end - at) > sizeof form && !memcmp(at, form, sizeof form - 1))) {
@@ -137,7 +136,7 @@ static bool exports_name(const char *at, const char *end, const vs_symbol *name)
   return false;
 }
 
-/* Returns true if a file that vs contains defines the name as syntax: (define-syntax name ...). */
+/* Returns true if the file f, which the program vs contains, defines the name as syntax: (define-syntax name ...). */
 static bool defines_syntax(const vs_shipped *f, const vs_symbol *name) {
   static const char form[] = "(define-syntax ";
   size_t head = sizeof form - 1, whole = head + name->length + 1;
@@ -150,8 +149,8 @@ static bool defines_syntax(const vs_shipped *f, const vs_symbol *name) {
   return false;
 }
 
-/* Returns true if a file of a library that vs contains defines the name as syntax. `library` is the file that exports
- * the name; the files that it includes are in the folder of the same name. */
+/* Returns true if a shipped library, one that the program vs contains, defines the name as syntax. `library` is the
+ * file that exports the name; the files that it includes are in the folder of the same name. */
 static bool exports_syntax(vs_scheme *vm, const vs_shipped *library, const vs_symbol *name) {
   size_t stem = (size_t)(strstr(library->name, ".sld") - library->name);
   for (const vs_shipped *part = vm->config.shipped; part->name; part++)
@@ -178,7 +177,7 @@ bool vs_library_advice(vs_scheme *vm, vs_value symbol, bool syntax, vs_text *t) 
   }
   bool ours = name->name[0] != '%' && vs_idtable_get(vs_as_environment(vm->at.core)->table, symbol) != VS_VACANT;
   for (const vs_shipped *f = vm->config.shipped; !ours && f && f->name; f++)
-    /* skips the runtime library of scripts, whose names a program in Scheme never means */
+    /* skips the runtime library of JavaScript, whose names a Scheme program never intends */
     if (strstr(f->name, ".sld") && !strstr(f->name, "javascript") && exports_name(f->text, f->end, name) &&
         (!syntax || exports_syntax(vm, f, name)))
       return vs_text_puts(t, "; (import (visualscheme) (") && put_shipped_name(f->name, t) &&

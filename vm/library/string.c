@@ -1,9 +1,10 @@
 /* Implements the procedures of strings and symbols that have no procedure arguments.
  *
- * The characters of a string are in a BYTES object, the store. Each takes one byte while all are below U+0100, else
- * four (vm/values/string_chars.h). string-ref therefore takes constant time, and string-set! may once convert the
- * store. Procedures that build text of unknown width use a vs_text (UTF-8), and convert it to a string at the end. If
- * the length is known, they write into the string. Case and categories of characters are those of utf8proc. */
+ * The characters of a string are in a BYTES object, the store. A character takes one byte if all characters of the
+ * string are below U+0100, otherwise four bytes (vm/values/string_chars.h). string-ref therefore takes constant time,
+ * and string-set! may once convert the store. Procedures that build text with characters of unknown width use a vs_text
+ * (UTF-8), and convert it to a string at the end. If the length is known, they write into the string. Case and
+ * categories of characters are those of utf8proc. */
 #include "vm/library/string.h"
 
 #include "vm/machine/fail.h"
@@ -28,7 +29,7 @@ static bool arg_mutable(vs_scheme *vm, const vs_value *a, int arg) {
 static int64_t length_of(vs_value s) { return vs_as_string(s)->length; }
 
 /* Returns the greatest code point of the characters from start to end - 1, or 0 if there are none. For a string of
- * one-byte characters, returns 0xFF. */
+ * one-byte characters, returns 0xFF without reading them. */
 static uint32_t widest_of(vs_value s, size_t start, size_t end) {
   uint32_t widest = 0;
   VS_ASSERT(start <= end && end <= vs_as_string(s)->length);
@@ -80,7 +81,7 @@ bool vs_string_slice(vs_scheme *vm, const vs_value *s, size_t start, size_t end,
 
 int vs_string_compare(vs_value a, vs_value b) {
   size_t n = vs_as_string(a)->length, m = vs_as_string(b)->length;
-  /* If both strings have one byte for each character, memcmp compares them by code points. */
+  /* Each character of both strings is one byte, so memcmp compares the strings by code points. */
   if (!((vs_object_of(a)->flags | vs_object_of(b)->flags) & VS_F_WIDE)) {
     int order = memcmp(vs_as_bytes(vs_as_string(a)->store)->at, vs_as_bytes(vs_as_string(b)->store)->at, n < m ? n : m);
     return order ? (order < 0 ? -1 : 1) : n < m ? -1 : n > m;
@@ -296,7 +297,7 @@ VS_ORDERS(O)
 /* ---- upper and lower case ---- */
 
 /* is_cased and is_case_ignorable test Unicode's properties Cased and Case_Ignorable, which define the end of a word. A
- * mark, an apostrophe or a full stop after a letter does not end a word. */
+ * case-ignorable character (a mark, an apostrophe, a full stop) after a letter does not end the word. */
 static bool is_cased(uint32_t c) {
   utf8proc_category_t k = utf8proc_category((utf8proc_int32_t)c);
   return k >= UTF8PROC_CATEGORY_LU && k <= UTF8PROC_CATEGORY_LT;
@@ -312,7 +313,8 @@ static bool is_case_ignorable(uint32_t c) {
          k == UTF8PROC_CATEGORY_LM || k == UTF8PROC_CATEGORY_SK;
 }
 
-/* Returns true if character i, a sigma, is the last letter of a word of two or more letters (Unicode's Final_Sigma). */
+/* Returns true if character i, a Greek sigma, is the last letter of a word of two or more letters (Unicode's
+ * Final_Sigma). */
 static bool ends_word(vs_value s, size_t i) {
   size_t before = i, after = i + 1, length = (size_t)length_of(s);
   VS_ASSERT(i < length);
@@ -348,8 +350,8 @@ static vs_status string_upcase(vs_scheme *vm, vs_value *a, int n, vs_value *out)
   return ok;
 }
 
-/* Converts to lower case by Unicode's SpecialCasing: a sigma at the end of a word becomes the final sigma, and the
- * capital I with a dot becomes i with a dot above. */
+/* Converts to lower case by Unicode's SpecialCasing: a sigma at the end of a word becomes the final sigma. The capital
+ * I with a dot becomes i with a combining dot above. */
 static vs_status string_downcase(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!arg_string(vm, a, 0)) return VS_ERROR;
@@ -376,9 +378,9 @@ static vs_status string_foldcase(vs_scheme *vm, vs_value *a, int n, vs_value *ou
 
 /* ---- searching in strings ---- */
 
-/* A text to search for, and a table. border[i] is the length of the longest proper prefix of the text's first i + 1
- * characters that is also their suffix. With the table, no character of the searched string is compared again (Knuth,
- * Morris and Pratt). `border` is NULL for a text of one character. */
+/* Data for searching a text. border[i]: length of the longest proper prefix of the text's first i + 1 characters that
+ * is also their suffix (Knuth, Morris and Pratt). With this table, the search never goes back in the searched string.
+ * `border` is NULL for a text of one character. length: length of the text in characters. */
 typedef struct { uint32_t *border; int64_t length; } needle;
 
 static bool needle_open(vs_scheme *vm, vs_value text, needle *d) {
@@ -402,7 +404,8 @@ static void needle_close(vs_scheme *vm, needle *d) {
   d->border = NULL;
 }
 
-/* Sets *at to the first position, not before `from`, at which the string s contains the text, or to -1. */
+/* Sets *at to the first position, not before `from`, at which the string s contains the text. Sets *at to -1 if there
+ * is none. */
 static bool find_from(vs_scheme *vm, vs_value s, vs_value text, const needle *d, int64_t from, int64_t *at) {
   int64_t n = length_of(s), k = 0;
   VS_ASSERT(from >= 0);
@@ -417,7 +420,7 @@ static bool find_from(vs_scheme *vm, vs_value s, vs_value text, const needle *d,
   return true;
 }
 
-/* Searches for a text once: makes its table, searches, and frees the table. */
+/* Searches for a text in s from position `from`, as find_from does. Makes the search table, and frees it afterwards. */
 static bool find_once(vs_scheme *vm, vs_value s, vs_value text, int64_t from, int64_t *at) {
   needle d;
   bool ok = needle_open(vm, text, &d) && find_from(vm, s, text, &d, from, at);
@@ -485,8 +488,8 @@ static bool is_space(uint32_t c) {
          (c > 0xFF && utf8proc_category((utf8proc_int32_t)c) == UTF8PROC_CATEGORY_ZS);
 }
 
-/* Splits a string at each separator. Without a separator, splits at sequences of blanks, and ignores blanks at both
- * ends. */
+/* Splits a string at each occurrence of the separator. Without a separator, splits at sequences of blanks, and ignores
+ * blanks at both ends. */
 static vs_status string_split(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (!arg_string(vm, a, 0)) return VS_ERROR;
   VS_ROOTS(vm, r, 3); /* roots of the garbage collector: first pair, last pair, the piece */
@@ -549,8 +552,8 @@ static vs_status string_trim_right(vs_scheme *vm, vs_value *a, int n, vs_value *
   return string_trimmed(vm, a, false, true, out);
 }
 
-/* Pads to exactly `width` characters, as in SRFI 13. A longer text loses characters on the side that would be
- * padded. */
+/* Pads a string to exactly `width` characters, as in SRFI 13. A longer string loses characters on the side on which a
+ * shorter one is padded. */
 static vs_status string_padded(vs_scheme *vm, vs_value *a, int n, bool left, vs_value *out) {
   int64_t width;
   if (!arg_string(vm, a, 0) || !vs_arg_index(vm, a, 1, 0, LONGEST, &width)) return VS_ERROR;

@@ -1,7 +1,7 @@
-/* Implements random numbers, clocks, and questions of a program about its environment.
+/* Implements random numbers, clocks, and procedures that return facts about the program's environment.
  *
  * The random generator is xoshiro256** (Blackman and Vigna), seeded by splitmix64. Its state is a bytevector in
- * vm->at.lib, so that it is part of the heap image, and the same at every start. */
+ * vm->at.lib. It is therefore part of the heap image, and the same at every start of the program. */
 #include "vm/library/system.h"
 
 #include <math.h>
@@ -14,7 +14,8 @@
 #include "vm/numbers/number_text.h"
 #include "vm/values/heap.h"
 
-enum { FIRST_SEED = 1, RANDOM_BYTES = 40 /* RANDOM_BYTES: size of the generator's state: four words, and the seed */ };
+enum { FIRST_SEED = 1, RANDOM_BYTES = 40 /* RANDOM_BYTES: size of the generator's state in bytes: four words and the
+                                          * seed, of 8 bytes each */ };
 
 /* ---- random numbers ---- */
 
@@ -28,8 +29,8 @@ static void seed_state(uint64_t s[4], uint64_t seed) {
   }
 }
 
-/* Returns the four words of the state, followed by the seed that the program has set. The address is valid until the
- * next allocation. Returns NULL when memory is out. */
+/* Returns the four words of the generator's state, followed by the seed that the program has set. The address is valid
+ * until the next allocation. Returns NULL when memory is out. */
 static uint64_t *random_state(vs_scheme *vm) {
   if (vs_lib_get(vm, VS_LIB_RANDOM) == VS_FALSE) {
     VS_ROOTS(vm, r, 1);
@@ -81,8 +82,8 @@ static bool random_below(vs_scheme *vm, vs_value n, vs_value *out) {
   uint64_t *s = random_state(vm);
   VS_ASSERT(vs_is_exact_integer(n) && vs_int_sign(n) > 0);
   if (!s) return false;
-  if (vs_is_fixnum(n)) {                          /* rejects values from the greatest multiple of n on, so that all
-                                                   * remainders are equally likely */
+  if (vs_is_fixnum(n)) {                          /* rejects random values from the greatest multiple of n on, so that
+                                                   * all remainders modulo n are equally likely */
     uint64_t bound = (uint64_t)vs_fixnum(n), least = (0 - bound) % bound, x;
     do x = random_next(s);
     while (x < least);
@@ -115,8 +116,8 @@ static vs_status random_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return *out = vs_flonum(x < d ? x : 0), VS_OK;
 }
 
-/* Returns a random number. For exact integers a and b, it is an integer from a to b, including both; otherwise a number
- * from a up to b. */
+/* Sets *out to a random number. For exact integers a and b, it is an integer from a to b, including both; otherwise it
+ * is a number from a to b, excluding b. */
 static vs_status random_range(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   for (int i = 0; i < 2; i++)
@@ -143,8 +144,8 @@ static vs_status random_seed(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* (%random-state): returns a copy of the generator's state, which (%random-state! copy) restores. (%random-state! copy)
- * refuses a state of zeros, which would never change. */
+/* (%random-state): returns a copy of the generator's state. (%random-state! copy) restores it, and refuses a state of
+ * zeros, from which the generator would never leave. */
 static vs_status random_copy(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)a, (void)n;
   VS_ROOTS(vm, r, 1);
@@ -249,7 +250,8 @@ static vs_status gc(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* Returns a new symbol, which is different from all others since it is not interned. Its name need not be unique. */
+/* Returns a new symbol. It is not interned, and therefore different from all other symbols; its name need not be
+ * unique. */
 static vs_status generate_symbol(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n && !vs_is_symbol(a[0]) && !vs_is_string(a[0])) return vs_fail_type(vm, 0, "a symbol or a string", a[0]);
   if (!vs_lib_open(vm)) return VS_ERROR;

@@ -6,15 +6,15 @@
 
 typedef enum { VS_LESS, VS_LESS_EQUAL, VS_EQUAL, VS_GREATER_EQUAL, VS_GREATER } vs_text_order;
 
-/* calls the macro O(name, order, whether case is folded) for each procedure */
+/* Expands to O(name, order, fold) for each procedure; fold: whether upper and lower case count as equal. */
 #define VS_ORDERS(O) \
   O(lt, VS_LESS, false) O(le, VS_LESS_EQUAL, false) O(eq, VS_EQUAL, false) O(ge, VS_GREATER_EQUAL, false) \
   O(gt, VS_GREATER, false) \
   O(ci_lt, VS_LESS, true) O(ci_le, VS_LESS_EQUAL, true) O(ci_eq, VS_EQUAL, true) O(ci_ge, VS_GREATER_EQUAL, true) \
   O(ci_gt, VS_GREATER, true)
 
-/* Returns whether the order holds. sign is the result of a comparison: below 0 if the first text is less than the
- * second. */
+/* Returns true if two texts are in this order. sign: result of comparing them, below 0 if the first text is less than
+ * the second. */
 static inline bool vs_order_holds(vs_text_order order, int sign) {
   switch (order) {
   case VS_LESS: return sign < 0;

@@ -126,7 +126,8 @@ static vs_status vector_copy(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
          vector_slice(vm, &a[0], start, end, out);
 }
 
-/* (vector-copy! to at from [start end]): the two ranges may overlap. */
+/* (vector-copy! to at from [start end]): copies elements start to end - 1 of `from` to `to`, beginning at index `at`.
+ * The two ranges may overlap. */
 static vs_status vector_copy_to(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   int64_t at, start, end;

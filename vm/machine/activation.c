@@ -12,8 +12,8 @@
  * used. */
 struct walk { const vs_value *base; vs_value under; uint64_t depth; bool force; };
 
-/* Goes to the caller's activation. Sets *pc to that of the call in the caller. Returns false at the end of the
- * stack. */
+/* Goes from the current activation to its caller's. Sets *pc to the position of the call in the caller's code. Sets
+ * *native to true if the caller is a native. Returns false at the end of the stack. */
 static bool walk_up(struct walk *w, size_t *pc, bool *native) {
   vs_value ret = w->base[-1];
   if (ret & VS_RET_STOP) return false;
@@ -36,11 +36,12 @@ static bool walk_up(struct walk *w, size_t *pc, bool *native) {
 }
 
 struct link { vs_value name; vs_pos place; const vs_value *base; size_t pc; bool gap;
-    /* whether calls between this activation and the previous one ended with tail calls and left no activations */ };
+    /* whether, between this activation and the one listed before, there were calls that ended with a tail call and left
+     * no activation */ };
 
-/* Returns true if the procedure that the instruction before pc calls is not `running`, the one that runs above: the
- * called procedure, or one that it called, has ended with a tail call. Tests only calls by global names of the program.
- * For other calls, the called value is lost; tail calls inside the library would not help users. */
+/* Returns true if a procedure between a caller and `running`, the next inner activation, has ended with a tail call.
+ * This is so if the instruction before pc calls another procedure than `running`. Tests only calls by global names of
+ * the program. For other calls, the called value is lost; tail calls inside the library would not help users. */
 static bool ended_in_tail_call(const vs_code *code, size_t pc, vs_value running) {
   const uint32_t *ins = vs_code_ins(code);
   if (pc < 2 || (ins[pc - 2] & 255) != VS_O_CALLG || ins[pc - 1] >= vs_as_vector(code->consts)->length ||
@@ -87,16 +88,16 @@ static vs_value *flush_failed(vs_scheme *vm, vs_value *w) {
 }
 
 /* Returns the greatest number of stack slots for nested calls that are not tail calls. The limit of 256 MB suffices for
- * about 5 million calls of a small procedure; deeper recursion is probably endless, and is reported early. If memory is
- * limited, the calls may use a third of it. The collector copies them, so that more would exhaust memory first, with a
- * message that does not name the cause. */
+ * about 5 million calls of a small procedure; deeper recursion is probably endless. If memory is limited, nested calls
+ * may use a third of it. The garbage collector copies their activations, so that more of them would exhaust memory
+ * first, with a message that does not name the cause. */
 static size_t most_slots(const vs_scheme *vm) {
   size_t bytes = (size_t)256 << 20;
   if (vm->config.memory_limit && vm->config.memory_limit / 3 < bytes) bytes = vm->config.memory_limit / 3;
   return bytes / sizeof(vs_value);
 }
 
-/* Reports an endless recursion, with the procedure that is most frequent among the innermost callers. */
+/* Reports an endless recursion. The message names the procedure that is most frequent among the innermost callers. */
 static bool fail_endless(vs_scheme *vm) {
   enum { MOST = 64 };
   struct link at[MOST];
@@ -167,15 +168,15 @@ bool vs_call_chain(vs_scheme *vm, size_t max, vs_value *out) {
   size_t n = chain(vm, at, max < MOST ? max : MOST);
   VS_ROOTS(vm, r, 2);
   r[0] = VS_NIL;
-  while (n--)        /* writes names, which are symbols and do not move */
+  while (n--)        /* writes the procedures' names; symbols do not move */
     if (!vs_cons(vm, at[n].name, vs_fix((int64_t)at[n].place), &r[1]) || !vs_cons(vm, r[1], r[0], &r[0]) ||
         (at[n].gap && (!vs_cons(vm, VS_TRUE, vs_fix(0), &r[1]) || !vs_cons(vm, r[1], r[0], &r[0])))) return false;
   *out = r[0];
   return true;
 }
 
-/* Adds a variable of a call to the vector v, if there is room. If several variables have one name, the innermost is
- * shown; a captured variable is shown only if no other has its name. */
+/* Adds the variable `name` of a call with the value x to the vector v, if there is room. If several variables have one
+ * name, the innermost is added. A captured variable is added only if no other variable has its name. */
 static void note_variable(vs_scheme *vm, vs_vector *v, vs_value *call, vs_value name, vs_value x, bool captured) {
   if (vs_is(x, VS_T_BOX)) x = vs_as_box(x)->value; /* an assigned variable is in a box */
   if (!vs_is_symbol(name) || x == VS_UNDEFINED || x == VS_ABSENT || vs_is(x, VS_T_STACK)) return;
@@ -186,9 +187,10 @@ static void note_variable(vs_scheme *vm, vs_vector *v, vs_value *call, vs_value 
   vs_gc_store(vm, v, &to[1], x);
 }
 
-/* Sets *out to a vector with VS_CALL_WORDS elements for each call, innermost first: the procedure, the place as a
- * fixnum, then names and values of variables (parameters, those of let, do and definitions, captured ones). The name #f
- * ends them. If the register of a parameter was used again, the value is that of the later variable. */
+/* Sets *out to a vector with VS_CALL_WORDS elements for each running call, innermost first. The elements are the
+ * procedure, the place as a fixnum, then names and values of variables (parameters, those of let, do and definitions,
+ * captured ones). The name #f ends them. If a parameter's register was reused for a later variable, the parameter's
+ * value is that of the later variable. */
 bool vs_call_variables(vs_scheme *vm, vs_value *out) {
   enum { MOST = 24 };
   struct link at[MOST];
@@ -203,8 +205,8 @@ bool vs_call_variables(vs_scheme *vm, vs_value *out) {
     const vs_vector *params = vs_as_vector(code->params), *more = vs_code_variables(code);
     vs_gc_store(vm, v, &to[VS_CALL_PROCEDURE], at[i].base[-2]);
     vs_gc_store(vm, v, &to[VS_CALL_PLACE], vs_fix((int64_t)at[i].place));
-    size_t keywords = (size_t)code->required + code->optional; /* keyword parameters are in the table, by the names of
-                                                                * their variables */
+    size_t keywords = (size_t)code->required + code->optional; /* keyword parameters are in the table of variables, by
+                                                                * their variables' names */
     for (size_t k = 0; k < params->length; k++)
       if (k < keywords || k >= keywords + code->keywords) note_variable(vm, v, to, params->at[k], at[i].base[k], false);
     for (const vs_value *x = more ? more->at : NULL; more && x < more->at + more->length; x += VS_VARIABLE_WORDS) {
@@ -265,7 +267,7 @@ uint64_t vs_call_key(vs_scheme *vm, size_t max) {
     vs_value ret = w.base[-1];
     if (w.force || ret & VS_RET_FLAGS) {
       up = walk_up(&w, &pc, &native);
-    } else { /* most returns go to compiled code in the working part of the stack, and need no function call */
+    } else { /* most returns go to compiled code in the working part of the stack, where no call of walk_up is needed */
       pc = vs_ret_pc(ret);
       native = false;
       w.base -= vs_ret_distance(ret) + 2;

@@ -9,13 +9,13 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Returns a name for messages, without the % of internal names. */
+/* Returns a procedure's name for messages, without the % at the start of internal names. */
 static const char *name_of(vs_value name) {
   const char *text = vs_is_symbol(name) ? vs_as_symbol(name)->name : "the procedure";
   return text + (text[0] == '%' && text[1]);
 }
 
-/* The parameters as text for messages: " (from to [step])". Parameters that do not fit are omitted. */
+/* A procedure's parameters as text for messages: " (from to [step])". Parameters that do not fit are omitted. */
 typedef struct { char text[160]; size_t used; } wanted;
 
 static void want(wanted *w, const char *before, const char *name, size_t length, const char *after) {
@@ -57,8 +57,8 @@ static const char *want_native(const vs_native *native, wanted *w) {
   return want_end(w);
 }
 
-/* Adds the call, as a list (callee argument ...), to the current error, for session/advice.c. Returns false, since the
- * error is set. */
+/* Stores the failed call, as a list (callee argument ...), in the current error, for session/advice.c. Returns false,
+ * since the error is set. */
 static bool keep_call(vs_scheme *vm, vs_value callee, const vs_value *a, size_t n) {
   VS_ROOTS(vm, r, 3);
   r[0] = vm->condition, r[1] = VS_NIL, r[2] = callee;
@@ -71,8 +71,8 @@ static bool keep_call(vs_scheme *vm, vs_value callee, const vs_value *a, size_t 
   return false;
 }
 
-/* Returns a text such as "; the others go by keyword: #:segments #:plane", for a call with too many positional
- * arguments. */
+/* Returns a text such as "; the others go by keyword: #:segments #:plane", for the error of a call with too many
+ * positional arguments. */
 static const char *want_keywords(const vs_value *names, size_t count, wanted *w) {
   for (size_t i = 0; i < count && w->used < sizeof w->text; i++) {
     const char *name = name_of(names[i]);
@@ -80,7 +80,7 @@ static const char *want_keywords(const vs_value *names, size_t count, wanted *w)
     else want(w, "#:", name, strlen(name), "");
   }
   if (!w->used || w->used >= sizeof w->text) return "";
-  return w->text + 2; /* skips the blank and the parenthesis that begin a list of names */
+  return w->text + 2; /* omits the blank and the parenthesis at the start of the list of names */
 }
 
 /* The arguments that a procedure accepts. */
@@ -117,15 +117,15 @@ static bool fail_keyword(vs_scheme *vm, vs_value name, vs_value keyword, const v
   bool ok = vs_keyword_advice(name_of(keyword), &advice) && vs_text_end(&advice);
   const char *more = ok ? advice.at : "";
   if (!*there) vs_fail(vm, vm->sym.arity, "%s has no keyword #:%s%s", name_of(name), name_of(keyword), more);
-  /* prints the names without the parentheses around them */
+  /* prints the list of keywords without its parentheses */
   else vs_fail(vm, vm->sym.arity, "%s has no keyword #:%s; it has %.*s%s", name_of(name), name_of(keyword),
       (int)strlen(there) - 3, there + 2, more);
   vs_text_close(&advice);
   return false;
 }
 
-/* Returns the first unknown keyword of a call, or NULL. A call with too few arguments is reported as such instead:
- * (make-sphere p #:radius 2). */
+/* Returns the first keyword of the call that is not in `names`, or NULL. If a call with too few arguments has such a
+ * keyword, as (make-sphere p #:radius 2), the error names the keyword. */
 static const vs_value *unknown_keyword(vs_value kw, const vs_value *names, size_t count) {
   const vs_keywords *k = vs_as_keywords(kw);
   for (size_t i = 0; i < k->count; i++) {
@@ -184,7 +184,7 @@ bool vs_leaves_self(const vs_scheme *vm, vs_value f, vs_value kw) {
   return true;
 }
 
-/* Moves the values of the last `named` arguments, which are passed by keyword, from the call to vm->call_args. */
+/* Copies the values of the last `named` arguments of the call, which are passed by keyword, to vm->call_args. */
 static bool stash(vs_scheme *vm, const vs_value *a, size_t n, size_t named) {
   VS_ASSERT(named <= n);
   vs_call_begin(vm, VS_FALSE);
@@ -193,8 +193,8 @@ static bool stash(vs_scheme *vm, const vs_value *a, size_t n, size_t named) {
   return true;
 }
 
-/* Moves the values that `stash` stored in vm->call_args to the array `at`, in the order of the parameters' `names`,
- * which are `count` symbols. */
+/* Moves the keyword values from vm->call_args to the array `at`, in the order of the parameters' `names`, which are
+ * `count` symbols. */
 static bool place(vs_scheme *vm, vs_value who, vs_value kw, const vs_value *names, size_t count, vs_value *at) {
   for (size_t i = 0; i < count; i++) at[i] = VS_ABSENT;
   const vs_keywords *k = kw == VS_FALSE ? NULL : vs_as_keywords(kw);
@@ -261,7 +261,7 @@ bool vs_arguments_native(vs_scheme *vm, const vs_native *native, vs_value *a, si
     return fail_keyword(vm, native->name, vs_as_keywords(kw)->name[0], NULL, 0);
   if (!vs_native_laid_out(native)) return true;
   if (named && !stash(vm, a, n, named)) return false;
-  if (max == SIZE_MAX) max = positional;          /* the keyword values follow the given arguments */
+  if (max == SIZE_MAX) max = positional;          /* keyword values follow the positional arguments */
   for (size_t i = positional; i < max; i++) a[i] = VS_ABSENT;
   size_t at = max;
   if (native->keywords != VS_FALSE) {
