@@ -1,5 +1,5 @@
-/* Implements the queue of a program's checks. They wait until the program ends, so that a check may precede the
- * definitions that it uses. The queue is a pair of its first and its last pair. */
+/* Implements the queue of a program's checks (check-expect and similar). A check waits until the program ends, so that
+ * it may precede the definitions that it uses. The queue is a pair of the first and the last pair of its list. */
 #include "vm/machine/check_queue.h"
 
 #include "vm/front/environment.h"
@@ -7,8 +7,8 @@
 #include "vm/machine/native.h"
 #include "vm/values/heap.h"
 
-/* Adds a check to the queue. Arguments: form expression actual [expected [tolerance]]. A running check may reach other
- * checks through a continuation; these are refused, since running them might never end. */
+/* Adds a check to the queue. Arguments: form expression actual [expected [tolerance]]. Refuses a check while another
+ * runs: a running check may reach checks again through a continuation, and running them might never end. */
 static vs_status check_later(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   vs_pos place = vs_call_place(vm);

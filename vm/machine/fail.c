@@ -1,4 +1,4 @@
-/* Implements the errors of natives: creates error objects with the texts of common errors. */
+/* Implements the errors of natives: creates error objects, and contains the texts of common errors. */
 #include "vm/machine/fail.h"
 
 #include <stdarg.h>
@@ -49,7 +49,7 @@ static vs_status fail(vs_scheme *vm, vs_value kind, const vs_pos *place, vs_valu
   if (vm->native && !place) {
     vs_value name = vm->native->name;
     const char *shown = vs_is_symbol(name) ? vs_as_symbol(name)->name : "procedure";
-    /* omits the % of an internal procedure: an error of %subtract names subtract */
+    /* The message omits the % of an internal procedure's name: an error of %subtract shows subtract. */
     used = snprintf(text, sizeof text / 2, "%s: ", shown + (*shown == '%'));
     if (used > (int)sizeof text / 2 - 1) used = (int)sizeof text / 2 - 1;
   }
@@ -118,7 +118,7 @@ vs_status vs_fail_type(vs_scheme *vm, int arg, const char *expected, vs_value go
   const char *noun = strncmp(expected, "a ", 2) == 0    ? expected + 2
                      : strncmp(expected, "an ", 3) == 0 ? expected + 3
                                                         : "";
-  /* avoids a message such as "pair must be a pair" */
+  /* Avoids a message such as "pair must be a pair", where the parameter's name equals the noun. */
   if (strcmp(name, noun) == 0) return vs_fail_with(vm, vm->sym.type, r[0], "expected %s, got", expected);
   return vs_fail_with(vm, vm->sym.type, r[0], "%s must be %s, got", name, expected);
 }

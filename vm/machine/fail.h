@@ -11,10 +11,12 @@ typedef struct vs_traceback {
                                                                * Returns false when memory is out. */
   bool (*variables)(vs_scheme *vm, vs_value *out);            /* Sets *out to the variables of the running calls.
                                                                * Returns false when memory is out. */
-  vs_pos (*place)(vs_scheme *vm);                             /* returns the place of the call of the running native */
+  vs_pos (*place)(vs_scheme *vm);                             /* returns the place in the source at which the running
+                                                               * native was called */
 } vs_traceback;
 
-/* Checks that a[arg] is an object of the type (VS_T_...), whose noun is in object.def. */
+/* Returns true if a[arg] is an object of the type (VS_T_...). Otherwise sets a type error with the type's noun in
+ * object.def, and returns false. */
 bool vs_arg_type(vs_scheme *vm, const vs_value *a, int arg, int type);
 /* Returns the length of a proper list, or -1 for other values. */
 int64_t vs_list_length(vs_value list);

@@ -1,12 +1,13 @@
 /* Writes and loads the heap image.
  *
- * Its layout in 64-bit words is: magic number, sum of the native tables, words of objects, words of those that are
- * natives, then vm->sym, vm->at, and the objects in sequence, natives first. A pointer is the address of its object if
- * the image is mapped at IMAGE_HOME. The `def` of a native is its number, counted through all tables.
+ * Its layout in 64-bit words is: magic number, sum of the native tables, number of words of all objects, number of
+ * words of the natives among them, then vm->sym, vm->at, and the objects in sequence, natives first. A pointer is the
+ * address that its object has if the image is mapped at IMAGE_HOME. The `def` of a native is its number, counted
+ * through all tables.
  *
- * Loading maps the image there (image_map), and writes only to the natives. If it cannot be mapped, it is copied, and
- * one pass over the words that contain values (vm/values/layout.h) adjusts the pointers: about a millisecond per
- * megabyte. Tables keyed by address are marked, so that their first use inserts every entry again. */
+ * Loading maps the image at IMAGE_HOME (image_map), and writes only to the natives. If the image cannot be mapped, it
+ * is copied, and one pass over the words that contain values (vm/values/layout.h) adjusts the pointers: about a
+ * millisecond per megabyte. Tables keyed by address are marked, so that their first use inserts every entry again. */
 #define _GNU_SOURCE
 #include "vm/machine/image.h"
 
@@ -26,12 +27,12 @@
 enum {
   SYMBOLS = sizeof((vs_scheme *)0)->sym / sizeof(vs_value),
   ANCHORS = sizeof((vs_scheme *)0)->at / sizeof(vs_value),
-  FIRST = 4, /* index of the first symbol */
+  FIRST = 4, /* index of the first symbol in the image, after four words */
   HEADER = FIRST + SYMBOLS + ANCHORS
 };
 /* The address for which the image is written: its pointers are valid if it is mapped there. The address is below 2^39,
- * the smallest address space of 64-bit systems. Programs with fixed addresses are below it, libraries and stacks above
- * it. */
+ * the smallest address space of 64-bit systems. Programs with fixed addresses are at lower addresses, libraries and
+ * stacks at higher addresses. */
 #define IMAGE_HOME UINT64_C(0x2000000000)
 #define OBJECTS_HOME (IMAGE_HOME + HEADER * 8)
 
@@ -48,7 +49,7 @@ enum { OWN_TABLES = sizeof own_tables / sizeof own_tables[0] };
 
 /* ---- numbers of natives ---- */
 
-/* Returns table i of natives, with the VM's own first, or NULL if there is none. */
+/* Returns table number i of natives, or NULL if there is none. The VM's own tables precede those of the host. */
 static const vs_native_table *image_table(const vs_scheme *vm, size_t i) {
   if (i < OWN_TABLES) return own_tables[i];
   return vm->config.tables ? vm->config.tables[i - OWN_TABLES] : NULL;
@@ -56,7 +57,7 @@ static const vs_native_table *image_table(const vs_scheme *vm, size_t i) {
 
 static uint64_t image_sum(const vs_scheme *vm) {
   uint64_t sum = UINT64_C(14695981039346656037); /* sum: FNV-1a hash of the names of all natives, and of the numbers of
-                                                  * symbols and anchors */
+                                                  * symbols and anchors (members of vm->at) */
   const vs_native_table *t;
   for (size_t i = 0; (t = image_table(vm, i)); i++)
     for (const vs_native_def *d = t->defs; d->name; d++)
@@ -79,7 +80,8 @@ static bool image_native_number(const vs_scheme *vm, const vs_native_def *def, u
   return false;
 }
 
-/* Lists all natives in the order of their numbers. The caller frees *count * sizeof(void *) bytes. */
+/* Sets *list to an array of all natives in the order of their numbers. The caller frees it: *count * sizeof(void *)
+ * bytes. */
 static bool image_native_list(vs_scheme *vm, const vs_native_def ***list, size_t *count) {
   size_t n = 0;
   const vs_native_table *t;
@@ -101,13 +103,14 @@ struct writer {
   vs_scheme *vm;
   const vs_object **order;
   size_t count, room;
-  struct place *places; /* hash table by address, with open addressing */
+  struct place *places; /* places: hash table from an object's address to its offset, with open addressing */
   size_t slots;
   uint64_t bytes, native_bytes;
   bool foreign;
 };
 
-/* Returns the slot of an object, or the free slot for it. The number of slots is a power of two. */
+/* Returns the slot of the hash table that contains the object, or the free slot where it belongs. The number of slots
+ * is a power of two. */
 static size_t writer_slot(const struct writer *w, const vs_object *o) {
   size_t i = (size_t)((uint64_t)(uintptr_t)o * UINT64_C(0x9E3779B97F4A7C15) >> 20) & (w->slots - 1);
   VS_ASSERT(w->slots > 0 && (w->slots & (w->slots - 1)) == 0);
@@ -151,7 +154,7 @@ static bool writer_reach(struct writer *w, vs_value v) {
   return true;
 }
 
-/* Assigns positions to the objects, natives first, in the order in which they were found. */
+/* Assigns offsets in the image to the objects: natives first, all in the order in which they were found. */
 static bool writer_place(struct writer *w) {
   const vs_object **order = vs_mem(w->vm, NULL, 0, w->room * sizeof *order);
   size_t n = 0;
@@ -189,8 +192,8 @@ static bool writer_object(struct writer *w, const vs_object *o, uint64_t *copy) 
       return vs_fail(w->vm, w->vm->sym.internal, "a native of no table cannot be in the heap image");
     }
     ((vs_native *)(void *)h)->def = (const vs_native_def *)(uintptr_t)number;
-  } else if (o->type == VS_T_TABLE) { /* a table's keys will have other addresses: marks the table, so that its next use
-                                       * inserts every entry again */
+  } else if (o->type == VS_T_TABLE) { /* the keys of a hash table by address get other addresses: marks the table, so
+                                       * that its next use inserts every entry again */
     ((vs_table *)(void *)h)->young = 0;
     ((vs_table *)(void *)h)->epoch = UINT64_MAX;
   }
@@ -237,11 +240,12 @@ bool vs_image_write(vs_scheme *vm, bool (*put)(void *to, const uint64_t *words, 
 /* ---- mapping a part of the program's file ---- */
 
 #if defined(__linux__) && UINTPTR_MAX == UINT64_MAX
-typedef struct { uintptr_t from, end; off_t offset; } wanted; /* from, end: addresses of the searched constant; offset:
-                                                               * its offset in the file, or -1 if unknown */
+typedef struct { uintptr_t from, end; off_t offset; } wanted; /* from, end: start and end of the constant in memory;
+                                                               * offset: its offset in the program's file in bytes, or
+                                                               * -1 if unknown */
 
-/* Searches the first module only, which is the program itself. /proc/self/exe is the file that was started, while the
- * name of a library may now refer to a newer file. */
+/* Finds the constant in the first loaded module only, which is the program itself. Its file is /proc/self/exe. The file
+ * of a library could have been replaced since it was loaded. */
 static int find_in_program(struct dl_phdr_info *module, size_t size, void *to) {
   wanted *w = to;
   (void)size;
@@ -255,7 +259,7 @@ static int find_in_program(struct dl_phdr_info *module, size_t size, void *to) {
 }
 
 /* Maps the image, a constant in the program's file, a second time at IMAGE_HOME. Writing there does not change the
- * file; unused pages cost neither time nor memory. Returns NULL if that is impossible, so that the image must be
+ * file; unused pages cost neither time nor memory. Returns NULL if mapping is impossible, so that the image must be
  * copied. There are three causes: another interpreter of the process uses the address, the image is part of a shared
  * library, or the system has no such mapping. */
 static void *image_map(const void *image, size_t bytes) {
@@ -263,8 +267,7 @@ static void *image_map(const void *image, size_t bytes) {
   dl_iterate_phdr(find_in_program, &w);
   int file = w.offset < 0 || w.offset % sysconf(_SC_PAGESIZE) ? -1 : open("/proc/self/exe", O_RDONLY | O_CLOEXEC);
   if (file < 0) return NULL;
-  void *home = (void *)(uintptr_t)IMAGE_HOME; /* on a system without FIXED_NOREPLACE, mmap may choose another address
-                                               * than IMAGE_HOME */
+  void *home = (void *)(uintptr_t)IMAGE_HOME; /* without FIXED_NOREPLACE, mmap may choose another address */
   void *at = mmap(home, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_FIXED_NOREPLACE, file, w.offset);
   close(file);
   if (at == home) return at;
@@ -288,8 +291,8 @@ static void image_unmap(vs_scheme *vm, void *objects, size_t bytes) { (void)vm, 
 
 static void image_free(vs_scheme *vm, void *at, size_t bytes) { vs_mem(vm, at, bytes, 0); }
 
-/* Adds to a pointer the distance from IMAGE_HOME to the image's actual address. The addition does not change the
- * tag. */
+/* Adds to a pointer the distance from IMAGE_HOME to the image's actual address, in bytes. The addition does not change
+ * the tag in the pointer's upper bits. */
 static inline void image_relocate(vs_value *slot, uint64_t by) {
   if (vs_is_object(*slot)) *slot += by;
 }
@@ -304,8 +307,8 @@ static void image_relocate_all(char *at, size_t bytes, uint64_t by) {
   }
 }
 
-/* Returns true if this build of vs has written the image. Reads the mapped words, since reading the constant would load
- * its pages, too. */
+/* Returns true if this build of vs has written the image. `words` should be the mapped copy: reading the constant would
+ * load its pages, too. */
 static bool image_fits(vs_scheme *vm, const uint64_t *words, size_t count) {
   return words[0] == MAGIC && words[1] == image_sum(vm) && count == HEADER + words[2];
 }

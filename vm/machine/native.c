@@ -5,7 +5,7 @@
 #include "vm/machine/signature.h"
 
 /* ---- creating procedures ---- */
-/* Creates the procedure of def whose name, for errors, is `symbol`, one of the names in def. */
+/* Creates a procedure object for def. `symbol` is one of the names in def, which the procedure's errors show. */
 static bool native_make(vs_scheme *vm, const vs_native_def *def, vs_value symbol, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   vs_signature g = vs_signature_read(def->signature);

@@ -81,13 +81,13 @@ vs_status vs_call(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *a
 vs_status vs_tailcall(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv);   /* Stores the call for the
                                                                                              * run loop, and returns
                                                                                              * VS_TAILCALL. */
-/* For long argument lists: vs_call_begin, then vs_call_push for each argument; the native then returns VS_CALL or
- * VS_TAILCALL. */
+/* A call with a long argument list: call vs_call_begin, then vs_call_push for each argument; the native then returns
+ * VS_CALL or VS_TAILCALL. */
 void vs_call_begin(vs_scheme *vm, vs_value procedure);
-/* Adds an argument. call_count is at most call_room. */
+/* Adds an argument to the call that vs_call_begin has started. call_count never exceeds call_room. */
 bool vs_call_push(vs_scheme *vm, vs_value v);
-/* Sets *out to n values; `at` points to roots of the garbage collector or to arguments. The run loop checks that the
- * caller accepts so many values. */
+/* Sets *out to an object with n values; `at` points to roots of the garbage collector or to arguments. The run loop
+ * checks that the caller accepts several values. */
 static inline vs_status vs_several(vs_scheme *vm, const vs_value *at, size_t n, vs_value *out) {
   return !vs_make_values(vm, at, n, out) ? VS_ERROR : n == 1 ? VS_OK : VS_SEVERAL;
 }
@@ -96,57 +96,58 @@ static inline vs_status vs_several(vs_scheme *vm, const vs_value *at, size_t n, 
 vs_value vs_parameter_value(const vs_scheme *vm, vs_value parameter);
 
 /* ---- errors; all functions return VS_ERROR (false) ---- */
-/* Sets the error "NAME: PARAM must be EXPECTED, got VALUE". NAME is the running native's, and PARAM the name of
- * argument a[arg] in its signature. */
+/* Sets the error "NAME: PARAM must be EXPECTED, got VALUE". NAME is that of the running native, and PARAM the name of
+ * argument a[arg] in the native's signature. */
 vs_status vs_fail_type(vs_scheme *vm, int arg, const char *expected, vs_value got);
-/* Sets the error "NAME: PARAM is out of range: VALUE, must be from LOW to HIGH" (HIGH inclusive). */
+/* Sets the error "NAME: PARAM is out of range: VALUE, must be from LOW to HIGH". HIGH itself is allowed. */
 vs_status vs_fail_range(vs_scheme *vm, int arg, vs_value got, int64_t low, int64_t high);
-/* Sets an error with a text in printf's format, after "NAME: " if a native is running. kind is a symbol such as
- * vm->sym.error. */
+/* Sets an error with a text in printf's format. If a native is running, "NAME: " precedes the text. kind is a symbol
+ * such as vm->sym.error. */
 vs_status vs_fail(vs_scheme *vm, vs_value kind, const char *format, ...) __attribute__((format(printf, 3, 4)));
 /* Sets an error as vs_fail does, with a list of irritants that is written after the text. */
 vs_status vs_fail_with(vs_scheme *vm, vs_value kind, vs_value irritants, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
-/* Sets an error as vs_fail_with does, with the given place, and without NAME and call chain. Used by reader and
- * expander. */
+/* Sets an error as vs_fail_with does, with the given place instead of that of the call, and without NAME and call
+ * chain. Reader and expander use it. */
 vs_status vs_fail_at(vs_scheme *vm, vs_value kind, vs_pos place, vs_value irritants, const char *format, ...)
     __attribute__((format(printf, 5, 6)));
 vs_status vs_fail_memory(vs_scheme *vm);
-/* Raises any object, as (raise object) does. */
+/* Raises any Scheme object, as (raise object) does. */
 vs_status vs_fail_object(vs_scheme *vm, vs_value object);
 
 /* ---- checking arguments; functions return false with a type error set ---- */
 /* Sets *out to a[arg], which must be an exact integer from low to high. */
 bool vs_arg_index(vs_scheme *vm, const vs_value *a, int arg, int64_t low, int64_t high, int64_t *out);
 
-/* ---- limits: a native that runs long calls vs_poll with the work since its last call; a simple step, some 5 ns, is 1
- * ---- */
+/* ---- limits: a native that runs long calls vs_poll with the work since its last call; the unit is a simple step, some
+ * 5 ns ---- */
 bool vs_poll(vs_scheme *vm, uint64_t work);
-/* Polls once in 1024 iterations of a loop; called in iteration i. cost: work of an iteration, in steps of about 5
- * ns. */
+/* Calls vs_poll once in 1024 iterations of a loop. i: number of the current iteration. cost: work of one iteration, in
+ * steps of about 5 ns. */
 static inline bool vs_poll_turn(vs_scheme *vm, uint64_t i, unsigned cost) {
   return (i & 1023) != 1023 || vs_poll(vm, 1024 * (uint64_t)cost);
 }
 
 /* ---- foreign objects ---- */
 typedef struct vs_foreign_type {
-  const char *name;                                             /* noun for messages, such as "an object" */
-  /* Releases one reference. Must not call the VM, nor recurse deeply. */
+  const char *name;                                             /* noun for messages, with an article, such as "an
+                                                                 * object" */
+  /* Releases one reference to the object. It must not call the VM, nor recurse deeply. */
   void (*release)(void *object);
-  bool (*equal)(const void *a, const void *b);                  /* implements equal?; NULL: objects are compared by
-                                                                 * identity */
-  uint64_t (*hash)(const void *object);                         /* returns a hash, which must be equal for equal
-                                                                 * objects; NULL: there is none */
-  /* Appends the text of the object, in UTF-8, by calling `put`. NULL: it is printed as #<name>. */
+  bool (*equal)(const void *a, const void *b);                  /* implements equal?; NULL: two objects are equal only
+                                                                 * if they are the same object */
+  uint64_t (*hash)(const void *object);                         /* returns a hash, which must be equal for objects that
+                                                                 * `equal` finds equal; NULL: there is none */
+  /* Appends the object's text, in UTF-8, by calling `put`. NULL: the object is printed as #<name>. */
   bool (*print)(vs_scheme *vm, const void *object, bool (*put)(void *to, const char *s, size_t n), void *to);
-  /* Passes the Scheme values in the object to the garbage collector; NULL if it has none. If it is not NULL, every
-   * collection visits the object. */
+  /* Passes the Scheme values in the object to the garbage collector, by calling `mark`. NULL: the object has none. If
+   * it is not NULL, every collection calls it. */
   void (*trace)(vs_scheme *vm, void *object, void (*mark)(vs_scheme *vm, vs_value *slot));
   /* unused and always false, since the heap image contains no foreign objects */
   bool callable_image;
 } vs_foreign_type;
 
-/* Returns the host's pointer if v is a foreign object of this type, else NULL. */
+/* Returns the host's pointer if v is a foreign object of this type, otherwise NULL. */
 static inline void *vs_foreign_get(vs_value v, const vs_foreign_type *type) {
   return vs_is(v, VS_T_FOREIGN) && vs_as_foreign(v)->type == type ? vs_as_foreign(v)->object : NULL;
 }

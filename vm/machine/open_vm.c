@@ -1,4 +1,4 @@
-/* Creates and frees interpreters. The layer above (environments) loads their libraries. */
+/* Creates and frees interpreters. The program that embeds them loads their libraries afterwards. */
 #include "vm/machine/open_vm.h"
 
 #include <stdlib.h>
@@ -17,7 +17,7 @@ enum { STACK_SLOTS = 1024 };
 enum { STACK_SLOTS = 8 << 10 };
 #endif
 
-/* Stores the natives that the run loop itself calls in vm->at. */
+/* If a new native is one that the run loop itself calls, stores it in vm->at. */
 static bool keep(vs_scheme *vm, void *context, vs_value symbol, vs_value procedure) {
   (void)context;
   const char *name = vs_as_symbol(symbol)->name;
@@ -48,8 +48,8 @@ vs_scheme *vs_open_vm(const vs_config *config) {
   memset(vm, 0, sizeof *vm);
   vm->config = *config;
   vm->bytes = sizeof *vm;
-  vm->fuel = 1 << 20;                         /* fuel (work until the next check) that lasts until a program runs; no
-                                               * limits apply before */
+  vm->fuel = 1 << 20;                         /* fuel (number of turns until the next check of limits), enough until a
+                                               * program runs; no limits apply before */
   vm->under = vm->call_procedure = vm->condition = vm->value = VS_FALSE;
   vm->winders = vm->handlers = vm->parameters = VS_NIL;
 #define S(field, text) vm->sym.field = VS_FALSE;

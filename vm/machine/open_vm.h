@@ -4,14 +4,14 @@
 
 #include "vm/values/flat.h"
 
-/* Returns an interpreter with the VM's own natives, or NULL when memory is out. */
+/* Returns a new interpreter with the VM's own natives, or NULL when memory is out. */
 vs_scheme *vs_open_vm(const vs_config *config);
 void vs_close_vm(vs_scheme *vm);
-/* Frees the contents of vm, moves the contents of `fresh` to vm, and frees the struct `fresh`. Objects of the old heap
- * refer to vm by its address, and are released first. `fresh` was just created, so that no object refers to its
- * address. */
+/* Frees the contents of vm, moves the contents of `fresh` to vm, and frees the struct `fresh`. `fresh` must have been
+ * created just before, so that no object refers to its address. Objects of vm's old heap refer to vm by its address,
+ * and are released first. */
 void vs_replace_vm(vs_scheme *vm, vs_scheme *fresh);
-/* Registers the types of flat records (points and vectors) of the host. Call it before the host defines natives. The VM
+/* Registers the host's types of flat records (points and vectors). Call it before the host defines natives. The VM
  * keeps a copy of the rules. */
 bool vs_flat_register(vs_scheme *vm, const vs_flat_rules *rules);
 

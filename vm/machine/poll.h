@@ -1,6 +1,6 @@
 /* Declares the limits of steps and time, and interrupts. A program has fuel: a number of turns (calls and loop
- * iterations) until the next check. When the fuel is used up, the run loop checks the limits. Natives that run long use
- * fuel by vs_poll and similar functions (native.h). */
+ * iterations) until the next check. When the fuel is used up, the run loop checks the limits. Natives that run long
+ * reduce the fuel by vs_poll and similar functions (native.h). */
 #ifndef VS_VM_MACHINE_POLL_H
 #define VS_VM_MACHINE_POLL_H
 
@@ -9,12 +9,12 @@
 /* Checks the limits now and sets new fuel. Returns false with the error set if a limit is reached. */
 bool vs_poll_limits(vs_scheme *vm);
 
-/* Sets the fuel (number of turns) until the next check. It never exceeds the remainder of the limit of steps, so that
- * the limit is exact. */
+/* Sets the fuel (number of turns) until the next check. The fuel never exceeds the turns that the limit of steps still
+ * allows, so that the limit is exact. */
 void vs_refuel(vs_scheme *vm);
 
-/* vs_poll_move and vs_poll_set work as memmove and memset do, in pieces with polls between them. A block larger than a
- * piece must not be in an object that a collection could move. */
+/* vs_poll_move and vs_poll_set work as memmove and memset, in pieces with polls between them. If the block is larger
+ * than a piece, it must not be in an object that the garbage collector could move. */
 bool vs_poll_move(vs_scheme *vm, void *to, const void *from, size_t bytes);
 bool vs_poll_set(vs_scheme *vm, void *to, int byte, size_t bytes);
 

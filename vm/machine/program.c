@@ -1,5 +1,5 @@
-/* Runs programs. The native %run expands, compiles and runs one top-level form after the other; eval, load, require,
- * libraries and the functions for the host use it. */
+/* Runs programs. The native %run expands, compiles and runs top-level forms, one after the other. The natives eval,
+ * load and require, the libraries and the functions for the host use %run. */
 #include "vm/machine/program.h"
 
 #include "vm/front/derived_syntax.h"
@@ -21,9 +21,9 @@ enum {
   RUN_FORMS,
   RUN_ENV,
   RUN_TELL,
-  RUN_X /* RUN_X: the expansion, a foreign object */,
+  RUN_X /* RUN_X: index of the expansion, a foreign object */,
   RUN_PHASE,
-  RUN_VALUE /* value of the last form that was run */,
+  RUN_VALUE /* RUN_VALUE: index of the value of the last form that was run */,
   RUN_SERIAL,
   RUN_PLACE,
   RUN_SLOTS = 5
@@ -36,7 +36,7 @@ static vs_status call_list(vs_scheme *vm, vs_value procedure, vs_value list) {
   return VS_CALL;
 }
 
-/* Replaces the tree x->root by (let ((value root)) value), so that a call in it is no tail call. */
+/* Replaces the tree x->root by (let ((value root)) value), so that a call in the tree is no tail call. */
 static bool keep_call(vs_expansion *x) {
   vs_value name;
   vs_core_node *let = vs_expand_many(x, VS_AST_LET, 1, x->root->pos);
@@ -89,7 +89,7 @@ static vs_status step_forms(vs_scheme *vm, vs_value *a, vs_value *out) {
     case VS_EXPAND_CALL: a[RUN_PHASE] = vs_fix(TRANSFORMING); return call_list(vm, x->procedure, x->args);
     case VS_EXPAND_NODE: {
       VS_ROOTS(vm, r, 1);
-      /* A call at top level must not be a tail call, so that errors can report its place. */
+      /* The call at top level must not be a tail call, so that errors can report its place. */
       if (a[RUN_TELL] != VS_FALSE && x->root->kind == VS_AST_CALL && !keep_call(x)) return VS_ERROR;
       vs_enter_phase(vm, VS_VM_COMPILE);
       if (!vs_compile(vm, &x->ast, x->root, &r[0])) return VS_ERROR;
@@ -100,7 +100,7 @@ static vs_status step_forms(vs_scheme *vm, vs_value *a, vs_value *out) {
       if (a[RUN_FORMS] == VS_NIL && a[RUN_TELL] == VS_FALSE && !x->definition) return vs_tailcall(vm, r[0], 0, NULL);
       return vs_call(vm, r[0], 0, NULL);
     }
-    case VS_EXPAND_FORMS: {                 /* the forms x->forms replace the first of the remaining forms */
+    case VS_EXPAND_FORMS: {                 /* the forms in x->forms replace the first of the remaining forms */
       VS_ROOTS(vm, r, 3);
       r[0] = x->forms; r[1] = VS_NIL;
       for (; vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) {
@@ -108,7 +108,7 @@ static vs_status step_forms(vs_scheme *vm, vs_value *a, vs_value *out) {
         if (!vs_cons_at(vm, vs_car(r[0]), r[1], pos ? pos : vs_pos_of(a[RUN_PLACE]), &r[1])) return VS_ERROR;
       }
       r[2] = vs_cdr(a[RUN_FORMS]);
-      while (vs_is_pair(r[1])) {            /* reverses these new pairs in place, since nothing else refers to them */
+      while (vs_is_pair(r[1])) {            /* reverses the new pairs in place, since nothing else refers to them */
         vs_value next = vs_cdr(r[1]);
         vs_gc_store(vm, vs_as_pair(r[1]), &vs_as_pair(r[1])->cdr, r[2]);
         r[2] = r[1];
@@ -128,12 +128,12 @@ static vs_status step_forms(vs_scheme *vm, vs_value *a, vs_value *out) {
       break;
     }
   }
-  /* if the host has already received the values, as in load, the result is unspecific */
+  /* The host has already received the values, as in load; the result is then unspecific. */
   *out = a[RUN_TELL] == VS_UNSPECIFIC ? VS_UNSPECIFIC : a[RUN_VALUE];
   return VS_OK;
 }
 
-/* Runs a step of %run. Work in the procedures of macros counts as work of the program. */
+/* Implements %run: does the next step. Work in the procedures of macros counts as work of the program. */
 static vs_status run(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   vs_status status = step_forms(vm, a, out);
@@ -149,8 +149,8 @@ static bool core_value(vs_scheme *vm, const char *name, vs_value *out) {
 }
 
 /* ---- eval and environments ---- */
-/* Evaluates the forms by a tail call of %run. tell: who receives the values. #f: only the caller; #t: the caller and
- * the host; #unspecific: only the host. */
+/* Evaluates the forms by a tail call of %run. tell: to whom the values go. #f: only to the caller; #t: to the caller
+ * and the host; #unspecific: only to the host. */
 static vs_status tail_run(vs_scheme *vm, vs_value forms, vs_value env, vs_value tell) {
   VS_ROOTS(vm, r, 3);
   vs_value procedure;
@@ -172,8 +172,8 @@ static vs_status interaction(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* (scheme-report-environment 5) returns an environment with the names of R5RS; (null-environment 5) one with only its
- * syntax. */
+/* Returns an environment for (scheme-report-environment 5), with the names of R5RS, or for (null-environment 5), with
+ * the syntax of R5RS only. */
 static vs_status report(vs_scheme *vm, vs_value *a, int n, bool syntax, vs_value *out) {
   VS_ROOTS(vm, r, 5);
   if (n && a[0] != vs_fix(5))
@@ -213,7 +213,8 @@ static vs_status environment(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 }
 
 /* ---- macros whose transformer is a procedure ---- */
-/* (er-macro-transformer procedure): returns a macro, whose environment define-syntax sets. */
+/* (er-macro-transformer procedure): returns a macro. The define-syntax that contains it sets the macro's
+ * environment. */
 static vs_status er_transformer(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!vs_is_procedure(a[0])) return vs_fail_type(vm, 0, "a procedure of form, rename and compare", a[0]);
@@ -224,15 +225,15 @@ static vs_status er_transformer(vs_scheme *vm, vs_value *a, int n, vs_value *out
   return VS_OK;
 }
 
-/* (%eval-transformer spec env): evaluates the expression in a define-syntax. */
+/* (%eval-transformer spec env): evaluates spec, the transformer expression of a define-syntax. */
 static vs_status eval_transformer(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n; (void)out;
   VS_ROOTS(vm, r, 1);
   return vs_cons(vm, a[0], VS_NIL, &r[0]) ? tail_run(vm, r[0], a[1], VS_FALSE) : VS_ERROR;
 }
 
-/* (%rename table env id): returns the alias for id. table is a list whose only element is an association list from id
- * to alias. */
+/* (%rename table env id): returns the alias for the identifier id, always the same one for a table. table is a list
+ * whose only element is an association list from identifiers to aliases. */
 static vs_status rename_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!vs_is_identifier(a[2])) return vs_fail_type(vm, 2, "a symbol", a[2]);
@@ -269,15 +270,16 @@ static vs_status syntax_to_datum(vs_scheme *vm, vs_value *a, int n, vs_value *ou
 }
 
 /* ---- loading files ---- */
-/* A load of a file that is already running. If each file on the way loads the next by a top-level form that is only a
- * call of load, loading the file again would never end. Otherwise a condition in the program may end the loading, which
- * is tried LOADS times. */
+/* Data about a load of a file whose load is already running. If each file between the two loads contains the next load
+ * as a top-level form of its own, loading the file again would never end. Otherwise a condition in the program may end
+ * the loading, so that LOADS repeated loads are allowed. */
 typedef struct {
   vs_value run;        /* procedure object of the native %run, by which the walk recognizes its activations */
   uint32_t file;
-  unsigned calls;      /* number of frames since the last %run: the call of load itself, and its callers */
-  vs_pos place;        /* place of the outermost of these calls */
-  bool plain;          /* whether each top-level form on the way was only the call that loads the next file */
+  unsigned calls;      /* number of activations since the last %run: that of load itself, and its callers */
+  vs_pos place;        /* place in the source of the outermost of these calls */
+  bool plain;          /* whether each file between the two loads contains the next load as a top-level form of its
+                        * own */
   bool endless;
   unsigned times, others;
 } nesting;
@@ -299,7 +301,7 @@ static bool see_nesting(void *to, vs_value procedure, const vs_value *base, vs_p
   return !n->endless;
 }
 
-/* Returns false with the error set if the file is already running and loading it again would never end. */
+/* Returns false with the error set if the file's load is already running and loading the file again would never end. */
 static bool may_load(vs_scheme *vm, const char *path) {
   nesting n = {.plain = true};
   if (!vs_file_number(vm, path, strlen(path), &n.file) || !core_value(vm, "%run", &n.run)) return false;
@@ -329,7 +331,7 @@ static vs_status load(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return load_path(vm, a[0], vs_pos_file(vs_call_place(vm)), n > 1 ? a[1] : vm->at.program, VS_UNSPECIFIC);
 }
 
-/* Runs the file that must define a library. Arguments: path name | its entry in vm->at.required. */
+/* Runs the file that must define the library `name`. Arguments: path name | the file's entry in vm->at.required. */
 static vs_status load_library(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 4);
   if (n >= 0) {
@@ -370,7 +372,7 @@ static vs_status register_library(vs_scheme *vm, vs_value *a, int n, vs_value *o
   return vs_library_register(vm, a[0], a[1]);
 }
 
-/* (%require path env): loads the file unless it was loaded before. */
+/* (%require path env): loads the file unless a require has loaded it before. */
 static vs_status require(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (a[2] == VS_FALSE) {
@@ -410,7 +412,8 @@ static vs_status features(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return vs_features(vm, out);
 }
 
-/* (macroexpand form): expands macros at the form's head until the form is core syntax, a call or no pair. */
+/* (macroexpand form): expands the macro at the form's head, repeatedly, until the form is core syntax, a call or no
+ * pair. */
 static vs_status macroexpand(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_expansion *x;
   if (n >= 0) {
@@ -418,7 +421,8 @@ static vs_status macroexpand(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
     x = vs_foreign_get(a[1], &vs_expansion_type);
     if (!vs_expansion_begin(x, a[0], vm->at.program, vs_call_place(vm))) return VS_ERROR;
     x->now = x->tasks[--x->count];
-  } else {                                /* continues with the value that a macro's procedure has returned */
+  } else {                                /* continues with the value that the macro's transformer procedure has
+                                           * returned */
     a[0] = *out;
     x = vs_foreign_get(a[1], &vs_expansion_type);
     x->now.waiting = false;
@@ -492,7 +496,7 @@ bool vs_front_open(vs_scheme *vm) {
 #include "vm/front/forms.def"
 #undef VS_FORM
   };
-  if (vs_is(vm->at.core, VS_T_ENVIRONMENT)) return true;       /* the library was already loaded with an image */
+  if (vs_is(vm->at.core, VS_T_ENVIRONMENT)) return true;       /* a heap image already contains the library */
   VS_ROOTS(vm, r, 2);
   if (!vs_intern_c(vm, "visualscheme", &r[0]) || !vs_environment_new(vm, r[0], &vm->at.core)) return false;
   vm->at.libraries = vm->at.required = VS_NIL;
@@ -528,8 +532,8 @@ static bool run_forms(vs_scheme *vm, vs_value forms, vs_value env, bool tell, vs
   vm->top_place = 0;
   if (!core_value(vm, "%run", &procedure)) return false;
   if (vs_run(vm, procedure, 3, r, last ? last : &r[3])) return true;
-  vs_value c = vm->condition;           /* after tail calls the error object may have no place; it then gets the place
-                                         * of the top-level form */
+  vs_value c = vm->condition;           /* after tail calls the error object may have no place, and gets that of the
+                                         * top-level form */
   if (vs_is(c, VS_T_CONDITION) && c != vm->at.no_memory && !vs_as_condition(c)->place)
     vs_as_condition(c)->place = vm->top_place;
   return false;
@@ -543,8 +547,7 @@ bool vs_library_load(vs_scheme *vm, const char *name, const char *text, size_t s
 
 void vs_library_done(vs_scheme *vm) {
   vs_environment_seal(vm->at.core);
-  vm->at.nearby = VS_FALSE; /* deletes the similar names that were recorded while the library was compiled: they do not
-                             * concern the program */
+  vm->at.nearby = VS_FALSE; /* deletes the similar names that were recorded while the library was compiled */
 }
 
 /* Deletes the entries of files that a failed run has loaded only in part, so that they can be required again. */
@@ -557,13 +560,13 @@ static bool forget_unfinished(vs_scheme *vm) {
   return true;
 }
 
-/* Sets the file that the host runs; load and import search in its folder. */
+/* Sets the file that the host runs. load and import search for files in its folder. */
 static bool begin_program(vs_scheme *vm, const char *name) {
   return vs_file_number(vm, name, strlen(name), &vm->program_file) && forget_unfinished(vm);
 }
 
-/* Sets the imports of a program. A script sees only its own library. Scheme text after a script, at the prompt or by
- * -e, also sees the names of the complete library; names of the script replace them. */
+/* Sets the imports of a program. A script (JavaScript) sees only its own library. Scheme text after a script, at the
+ * prompt or by -e, also sees the names of the complete library; the script's names have precedence. */
 static bool beside_script(vs_scheme *vm, const char *name) {
   vs_value clash;
   bool own;
@@ -571,8 +574,8 @@ static bool beside_script(vs_scheme *vm, const char *name) {
   vs_intake intake = vs_environment_intake(vm->at.program);
   if (intake == VS_INTAKE_FRESH) vm->scripted = script;
   if (script || !vm->scripted) return true;
-  vs_environment_set_intake(vm->at.program, VS_INTAKE_OPEN); /* this setting keeps the script's variables; with another,
-                                                              * imports would replace them */
+  vs_environment_set_intake(vm->at.program, VS_INTAKE_OPEN); /* with another setting, imports would replace the script's
+                                                              * variables */
   bool ok = vs_environment_import(vm, vm->at.program, vm->at.core, VS_TRUE, &clash, &own);
   vs_environment_set_intake(vm->at.program, intake);
   return ok;
@@ -594,8 +597,8 @@ static bool is_top_form(vs_value form) {
   return !strncmp(head, "define", 6);
 }
 
-/* Replaces the form by ((lambda (name ...) form) (quote value) ...) for the bindings, with the library's lambda and
- * quote. */
+/* Replaces the form by ((lambda (name ...) form) (quote value) ...). bindings: list of the pairs (name . value). lambda
+ * and quote are those of the library. */
 static bool bind_around(vs_scheme *vm, vs_value *form, vs_pos pos, vs_value bindings) {
   VS_ROOTS(vm, r, 6);                     /* roots of the garbage collector: bindings, names, values, quote, lambda,
                                            * temporary value */

@@ -16,16 +16,16 @@ bool vs_front_open(vs_scheme *vm);
 bool vs_library_load(vs_scheme *vm, const char *name, const char *text, size_t size);
 void vs_library_done(vs_scheme *vm);
 
-/* Creates the environment of a program, which imports the complete library. vm->at.program is that of the host's
- * program. */
+/* Creates the environment of a program, which imports the complete library. vm->at.program is the environment of the
+ * program that the host runs. */
 bool vs_program_new(vs_scheme *vm, vs_value *env);
 
 /* Runs a text in vm->at.program. prompt: the text was typed at a prompt, so that its imports are added to earlier
  * imports (environment.h). Sets *last to the value of the last form. Passes values of top-level expressions to
  * vm->config.value. Returns false with vm->condition set. */
 bool vs_program_text(vs_scheme *vm, const char *name, const vs_passage *text, bool prompt, vs_value *last);
-/* Runs a text as vs_program_text does, while a program is stopped. Each expression of the text, but no definition, is
- * evaluated with the bindings, a list of (symbol . value), as local variables. In this way the prompt shows variables
+/* Runs a text as vs_program_text does, while a program is stopped. Each expression in the text sees the bindings, a
+ * list of (symbol . value), as local variables; definitions in the text do not. In this way the prompt shows variables
  * of a stopped call. */
 bool vs_program_within(vs_scheme *vm, const char *name, const vs_passage *text, vs_value bindings, vs_value *last);
 

@@ -1,7 +1,7 @@
 /* Calls the procedures that define-record-type creates. Their code has one instruction between the loading of the type
- * and the return, and an activation (frame) would cost several times as much. The run loop therefore interprets this
- * code here without an activation. In unusual cases (another number of arguments, a record of another type, a full
- * nursery) the code itself runs, and reports errors. */
+ * and the return, and an activation (frame) would cost several times as much. The functions of this file therefore
+ * interpret the code without an activation. In unusual cases (another number of arguments, a record of another type, a
+ * full nursery) the code itself runs, and reports errors. */
 #ifndef VS_VM_MACHINE_RECORD_CALL_H
 #define VS_VM_MACHINE_RECORD_CALL_H
 
@@ -9,7 +9,7 @@
 #include "vm/machine/vs.h"
 #include "vm/values/gc.h"
 
-/* Allocates a record of the type. The instructions from ins on determine its fields: each is an argument in `at` or a
+/* Allocates a record of the type. The instructions at `ins` determine its fields: each is an argument in `at` or a
  * constant. Returns false if the nursery is full. */
 static inline bool vs_record_make(vs_scheme *vm, const uint32_t *ins, vs_value type, const vs_value *at,
                                   vs_value *out) {
@@ -31,7 +31,7 @@ static inline bool vs_record_make(vs_scheme *vm, const uint32_t *ins, vs_value t
 }
 
 /* Calls the closure f, whose code has a flag of VS_CODE_RECORD, with the n arguments in `at`. Returns false, without
- * effect, if its code must run instead. It counts as a call for the limit of steps. */
+ * effect, if f's code must run instead. It counts as a call for the limit of steps. */
 static inline bool vs_record_call(vs_scheme *vm, vs_value f, const vs_value *at, size_t n, vs_value *out) {
   const vs_closure *c = vs_as_closure(f);
   const vs_code *code = vs_as_code(c->code);

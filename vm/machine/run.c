@@ -1,4 +1,4 @@
-/* Starts the run loop for calls from outside, and restores the state after it. */
+/* Starts the run loop for calls from outside the loop, and restores the interpreter's state after it. */
 #include "vm/machine/run.h"
 
 #include "vm/machine/activation.h"
@@ -26,7 +26,7 @@ static void fail_memory_placed(vs_scheme *vm) {
   vs_pos place[CALLERS] = {0};
   size_t n = vs_call_links(vm, r, place, CALLERS);
   reset(vm);
-  vm->value = VS_UNSPECIFIC;              /* forgets the last result of a native, which may keep much memory in use */
+  vm->value = VS_UNSPECIFIC;              /* releases the last result of a native, which may use much memory */
   vs_gc_major(vm);
   vs_value *link = r + CALLERS, *chain = r + CALLERS + 1;
   *chain = VS_NIL;
@@ -55,7 +55,7 @@ bool vs_run(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv, v
   vs_refuel(vm);
   vs_value result = VS_UNSPECIFIC;
   bool ok = (vm->step.mode == VS_STEP_CONTINUE ? vs_run_loop : vs_step_loop)(vm, w, n, &result);
-  vm->steps -= (uint64_t)(vm->fuel > 0 ? vm->fuel : 0);       /* counts only the turns that were used since the last
+  vm->steps -= (uint64_t)(vm->fuel > 0 ? vm->fuel : 0);       /* subtracts the turns that were not used since the last
                                                                * poll */
   if (!ok && vm->condition == vm->at.no_memory) fail_memory_placed(vm);
   reset(vm);

@@ -12,7 +12,7 @@ static bool fail_undefined(vs_scheme *vm, vs_value name) {
   const char *said = vs_is_symbol(name) ? vs_source_word(vm, vs_as_symbol(name)->name) : "a variable";
   if (vs_is_symbol(name) && said != vs_as_symbol(name)->name)
     return vs_fail(vm, vm->sym.unbound, "%s is not defined", said);
-  vs_text advice;                       /* advice about words of other languages, and similar names */
+  vs_text advice;                       /* advice: text about words of other languages, or a similar name */
   vs_text_open(vm, &advice, 300);
   bool ok = vs_suggest(vm, vm->at.program, name, &advice) && vs_text_end(&advice) &&
             vs_fail(vm, vm->sym.unbound, "%s is not defined%s", said, advice.at);
@@ -25,8 +25,8 @@ static bool fail_early(vs_scheme *vm, vs_value name) {
                  vs_is_symbol(name) ? vs_as_symbol(name)->name : "a variable");
 }
 
-/* Returns the name of an operator that was written between its operands, as in other languages: (5 + 3). Returns NULL
- * if there is none. */
+/* Returns v's name if v is an operator, which may have been written between its operands, as in other languages: (5 +
+ * 3). Otherwise returns NULL. */
 static const char *operator_name(vs_value v) {
   vs_value name = vs_is(v, VS_T_NATIVE) ? vs_as_native(v)->name : VS_FALSE;
   const char *s = vs_is_symbol(name) ? vs_as_symbol(name)->name : "";
@@ -56,8 +56,8 @@ static bool fail_callee_as(vs_scheme *vm, vs_value f, const vs_value *at, size_t
   return vs_fail_with(vm, vm->sym.type, r[0], "%s", what);
 }
 
-/* Reports that f cannot be called. The error's payload #t tells session/advice.c that the called object is wrong: it
- * then searches the object's source. */
+/* Reports that f cannot be called. The error's payload #t tells session/advice.c that the called object f is wrong;
+ * advice.c then searches for f's source. */
 static bool fail_callee(vs_scheme *vm, vs_value f, const vs_value *at, size_t n) {
   fail_callee_as(vm, f, at, n);
   if (vs_is(vm->condition, VS_T_CONDITION) &&

@@ -28,7 +28,7 @@
 #include "vm/values/string_chars.h"
 
 /* ---- functions for rare cases ---- */
-/* Returns true if the code at pc, to which a call returns, accepts any number of values: it ignores or returns them. */
+/* Returns true if the code at pc, to which a call returns, accepts several values: it ignores them or returns them. */
 static bool takes_several(const uint32_t *pc) {
   uint32_t op = *pc & 255;
   return op == VS_O_DROP || op == VS_O_RETURN || (op == VS_O_MORE && VS_B(*pc)) ||
@@ -73,7 +73,7 @@ static void trace(const uint32_t *ins, const vs_value *base) {
 
 /* Runs the call in the window w (procedure, free slot, n arguments), at the start of the stack, until it returns. */
 static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
-  vs_value *base = w;                 /* no activation exists before the first call */
+  vs_value *base = w;                 /* the activation's registers; no activation exists before the first call */
   const uint32_t *pc = NULL, *start = NULL;      /* start: first instruction of the activation's code */
   vs_value *k = NULL;
   vs_value ret = VS_TAG_FIXNUM << 48 | VS_RET_STOP, kw = VS_FALSE, v;
@@ -83,7 +83,7 @@ static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
   VS_ASSERT(w == vm->stack);
 
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpedantic"      /* allows the addresses of labels, an extension of GCC */
+#pragma GCC diagnostic ignored "-Wpedantic"      /* the loop jumps to addresses of labels, an extension of GCC */
   static const void *const labels[] = {
 #define VS_OP(name, operands, extra, generic) &&op_##name,
 #include "vm/compiler/opcodes.def"
@@ -108,14 +108,14 @@ static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
 #define SAVE (vm->base = base, vm->pc = pc, vm->top = base + REGISTERS, vm->native = NULL)
 #define BRANCH_IF(truth) do { if ((truth) == (bool)C) pc += (int32_t)*pc + 1; else pc++; NEXT; } while (0)
 
-/* Removes the object of a method call (#:this) from the arguments in w if the procedure w[0] has no parameter for it.
- * Calls without keywords skip this. */
+/* Removes the value of #:this, the object of a method call, from the arguments if the procedure w[0] has no such
+ * parameter. Calls without keywords skip this. */
 #define LEAVE_SELF do {                                                                                    \
     if (vs_is_object(w[0]) && vs_leaves_self(vm, w[0], kw)) n--, kw = VS_FALSE;                            \
   } while (0)
 
-/* Calls a closure with exactly its required arguments, if there is room on the stack, as in most calls. All other calls
- * continue at the label `call`. */
+/* Returns true if a closure is called with exactly its required arguments, and the stack has room for it. All other
+ * calls continue at the label `call`. */
 #define PLAIN(callee, count, at)                                                                           \
   ((callee)->flags & VS_CODE_SIMPLE && (callee)->required == (count) &&                                    \
    (const char *)vm->stack_end - (const char *)(at) >=                                                     \
@@ -157,7 +157,7 @@ static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
 
 #define DROPPED(v) do {                                                                                    \
     if (vm->config.dropped) {                                                                              \
-      vs_value first = vs_is_pair(v) ? vs_as_pair(v)->car : (v); /* an object in an unused list is reported, too */ \
+      vs_value first = vs_is_pair(v) ? vs_as_pair(v)->car : (v); /* also reports an object in an unused list */ \
       if (vs_is(first, VS_T_FOREIGN)) vm->config.dropped(vm, first);                                       \
     }                                                                                                      \
   } while (0)
@@ -276,7 +276,7 @@ look:
         vs_as_native(p)->max >= 1) {
       const vs_native *native = vs_as_native(p);
       base[A] = base[A + 2];                      /* calls the predicate p directly: the registers from A become p, a
-                                                   * free slot, and the value to check */
+                                                   * free slot, and the value that p checks */
       base[A + 2] = base[A + 3];
       vm->base = base + A + 2; vm->pc = pc; vm->top = base + A + 4;
       vm->base[-1] = vs_ret_make(A, HERE);
@@ -442,7 +442,8 @@ look:
     RA = vs_flonum_raw(vs_as_flat(x)->at[vm->flat->getter[C].index]);
     NEXT;
   }
-/* If the nursery is full, the procedure of the instruction runs, which may collect garbage. */
+/* Returns true if the nursery has room for so many words. Otherwise the procedure that the instruction replaces is
+ * called, which may collect garbage. */
 #define ROOM(words) (vm->end - vm->free >= (ptrdiff_t)((words) * 8))
   OP(FLAT1): {
     vs_value x = RB;
@@ -514,7 +515,7 @@ look:
       if (!vs_each_keep(vm, row)) goto fail;
     }
   }
-each: {                                   /* continues the row of EACH: the instruction at pc is MORE with the same
+each: {                                   /* calls EACH's procedure with the next element; pc is at MORE, with the same
                                            * operand A */
     vs_value *row = &RA, list = row[VS_EACH_LIST];
     if (!vs_is_pair(list)) {
@@ -587,7 +588,7 @@ each: {                                   /* continues the row of EACH: the inst
       : OP(G_ABI) : OP(G_N) : OP(G_N1) : OP(G_JABC) : OP(G_JAI) : OP(G_JA) : OP(G_SET) : OP(G_SETV) : goto generic;
   OP(NONE): goto generic;                 /* NONE is an opcode that the compiler never emits */
 
-  /* Calls the native whose call the instruction at pc - 1 has replaced. */
+  /* Calls the native that the instruction at pc - 1 replaces. */
 generic: {
     const vs_code *code = vs_as_code(vs_as_closure(base[-2])->code);
     size_t at = HERE - 1;
@@ -611,8 +612,8 @@ generic: {
     goto call;
   }
 
-  /* Calls the case-lambda in w[0] with the arguments w[2..2+n). If its first clause accepts their number, calls it at
-   * once. */
+  /* Calls the case-lambda in w[0] with the n arguments at w + 2. If its first clause accepts n arguments, calls this
+   * clause at once. */
 call_case: {
     const vs_case *c = vs_as_case(w[0]);
     const vs_code *callee = c->count ? CALLEE(c->clause[0]) : NULL;
@@ -626,13 +627,14 @@ call_case: {
     goto call;
   }
 
-  /* Calls a procedure of define-record-type in w[0] with the arguments w[2..2+n), without an activation. */
+  /* Calls the procedure in w[0], which define-record-type has created, with the n arguments at w + 2, without an
+   * activation. */
 call_record:
   if (vs_record_call(vm, w[0], w + 2, n, &w[0])) NEXT;
   ret = vs_ret_make(A, HERE); kw = VS_FALSE; tail = false;
   goto call;
 
-  /* Calls w[0] with the arguments w[2..2+n) and the keywords kw. For a tail call, the activation at base ends.
+  /* Calls w[0] with the n arguments at w + 2 and the keywords kw. If `tail` is true, the activation at base ends.
    * Otherwise `ret` is the return information, and the caller is the activation at base. Before the first call there is
    * no activation. */
 call: {
@@ -650,8 +652,7 @@ call: {
         }
         size_t need = n > code->registers ? n : code->registers;
         if (vm->stack_end - w < (ptrdiff_t)(need + 2 + VS_ACTIVATION_SLACK)) {
-          if (tail) {                             /* first moves the call to the start of the activation, so that the
-                                                   * activation is not kept */
+          if (tail) {                             /* moves the call to the start of the ending activation */
             memmove(base, w + 2, n * sizeof *w);
             base[-2] = f;
             w = base - 2; ret = base[-1];
@@ -690,15 +691,14 @@ call: {
         const vs_native *native = vs_as_native(f);
         size_t given = n, total = n;
         bool laid_out = vs_native_laid_out(native);
-        /* In a tail call, natives with slots (apply, call/cc and similar) must not keep the caller's activation. Other
+        /* In a tail call, a native with slots (apply, call/cc and similar) must not keep the caller's activation. Other
          * natives keep it, since it contains the place for errors. */
         if (tail && native->def->slots) {
           memmove(base, w + 2, n * sizeof *w);
           base[-2] = f;
           w = base - 2; ret = base[-1];
           tail = false;
-          pc = NULL;                            /* the code of this activation has ended: the native returns to the
-                                                 * caller of the activation */
+          pc = NULL;                            /* this activation's code has ended: the native returns to its caller */
         } else if (tail) {
           ret = vs_ret_make((size_t)(w - base), HERE);
         }
@@ -723,8 +723,8 @@ call: {
         vm->native = NULL;
         if (status == VS_OK) {
           if (tail) { v = vm->value; goto give; }
-          if (pc && !(ret & VS_RET_FLAGS)) { w[0] = vm->value; NEXT; }      /* continues with the code of the activation
-                                                                             * at base, at pc */
+          if (pc && !(ret & VS_RET_FLAGS)) { w[0] = vm->value; NEXT; }      /* continues with the code at pc, of the
+                                                                             * activation at base */
         } else if (status == VS_SEVERAL && tail) {
           v = vm->value;
           goto give_several;
@@ -736,8 +736,7 @@ call: {
         const vs_case *c = vs_as_case(f);
         size_t i = 0;
         while (i < c->count && !vs_arguments_fit(vs_as_code(vs_as_closure(c->clause[i])->code), n, kw)) i++;
-        /* in a case-lambda with a note, the first clause alone defines how arguments are passed, so it reports the
-         * error */
+        /* in a case-lambda with a note, only the first clause defines how arguments are passed; it reports the error */
         if (i == c->count && vs_case_note(c) != VS_FALSE) i = 0;
         if (i == c->count) {
           w[1] = tail ? VS_FALSE : ret;
@@ -789,14 +788,14 @@ no_procedure:
   vm->top = w + 2 + n;
   vm->native = NULL;
   fail_callee(vm, w[0], w + 2, n);
-fail_above:                               /* an error in the caller at base, found while the registers of the call were
+fail_above:                               /* an error in the call of an activation at base, whose registers above it are
                                            * in use */
   if (pc) goto fail;
-  ret = w[1];                             /* the caller is a native or in the heap: the place of the error is that of
-                                           * the call */
+  ret = w[1];                             /* the caller is a native or in the heap; the error gets the call's place */
   goto raise;
 
-  /* A native has returned `status`. Its activation is at base (== vm->base), and its last slot is below vm->top. */
+  /* A native has returned `status`. Its activation is at base (equal to vm->base), and its last slot is below
+   * vm->top. */
 native_done:
   w = base - 2;
   switch (status) {
@@ -834,7 +833,7 @@ native_done:
       vm->call_count = 0;
       vm->call_procedure = VS_FALSE;
       base = w + 2;
-      pc = NULL;                              /* pc NULL: the activation at base is not one of compiled code */
+      pc = NULL;                              /* pc NULL: the activation at base is that of a native */
       goto call;
     }
     case VS_THROW: {
@@ -853,8 +852,9 @@ native_done:
     default: goto uncaught;
   }
 
-  /* Returns several values, v, from the activation at base. Natives and the host accept any number of values. Whether a
-   * caller in code accepts several values is tested here, or below at `give` if its activation must be found first. */
+  /* Returns the object v of several values from the activation at base. Natives and the host accept any number of
+   * values. Whether a caller in code accepts several values is tested here, or at the label `give` if the caller's
+   * activation must be found first. */
 give_several:
   ret = base[-1];
   if (!(ret & VS_RET_FLAGS)) {
@@ -942,8 +942,8 @@ give: {
     NEXT;
   }
 
-  /* The native at base, or the code at base and pc, has raised vm->condition. Limits and interrupts are not passed to
-   * handlers. */
+  /* The native at base, or the code at pc of the activation at base, has raised vm->condition. Errors of limits and
+   * interrupts are not passed to the program's handlers. */
 fail_native:
   w = base;                               /* the call of the handler overwrites the native's arguments, which are no
                                            * longer needed */
@@ -967,7 +967,7 @@ raise:
   n = 1; kw = VS_FALSE; tail = false;
   goto call;
 
-stack_full:                               /* the refused allocation of stack has already set the error */
+stack_full:                               /* the error is set: the stack could not grow */
 uncaught:
   return false;
 #pragma GCC diagnostic pop

@@ -12,7 +12,7 @@
 
 #include "vm/numbers/number.h"
 
-enum { VS_DUAL_DEPTH = 24 }; /* greatest nesting of duals, since each level doubles the work */
+enum { VS_DUAL_DEPTH = 24 }; /* greatest nesting of dual numbers, since each level doubles the work */
 
 static inline bool vs_is_dual(vs_value v) { return vs_is(v, VS_T_DUAL); }
 static inline vs_value vs_dual_base(vs_value v) { /* Returns v without its slopes: the value that comparisons use. */
@@ -23,20 +23,20 @@ static inline vs_value vs_dual_base(vs_value v) { /* Returns v without its slope
 static inline bool vs_is_scalar(vs_value v) { return vs_is_number(vs_dual_base(v)); }
 /* Returns the highest level among the n values; -1 if none of them is a dual number. */
 int64_t vs_dual_level(const vs_value *at, size_t n);
-/* vs_dual_value and vs_dual_slope return the value and the derivative of v at this level. If v does not depend on the
- * variable of the level, they return v and the exact 0. */
+/* vs_dual_value and vs_dual_slope return the value and the derivative of v in the variable of this level. If v does not
+ * depend on the variable, they return v and the exact 0. */
 vs_value vs_dual_value(vs_value v, int64_t level);
 vs_value vs_dual_slope(vs_value v, int64_t level);
 
 /* Sets *out to a dual number. The levels of value and slope must be lower than `level`. */
 bool vs_make_dual(vs_scheme *vm, int64_t level, vs_value value, vs_value slope,
-                  vs_value *out); /* a nesting beyond VS_DUAL_DEPTH is an error */
+                  vs_value *out); /* more than VS_DUAL_DEPTH nested dual numbers are an error */
 /* Computes a + b, a - b, a * b or a / b, where at least one operand is a dual. */
 bool vs_dual_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_value *out);
 /* Computes f(v) for a number or dual; f must be one of the functions whose derivatives dual.c contains. */
 bool vs_dual_function(vs_scheme *vm, double (*f)(double), vs_value v, vs_value *out);
 bool vs_dual_atan(vs_scheme *vm, vs_value y, vs_value x, vs_value *out);
 bool vs_dual_expt(vs_scheme *vm, vs_value base, vs_value power,
-                  vs_value *out); /* computed by log and exp if the exponent is a dual */
+                  vs_value *out); /* if the exponent is a dual, the power is computed by log and exp */
 
 #endif

@@ -1,10 +1,10 @@
 /* Implements the arithmetic of exact integers (integer.h).
  *
- * Every operation puts the operands into roots of the garbage collector, computes the size of the result, and creates a
- * bignum of that capacity. It then gets views of the operands; after this nothing allocates. It computes the limbs
- * (64-bit digits) in place. int_settle removes leading zeros, and returns a fixnum if the result fits. A bignum may
- * therefore have a word or two of unused capacity after its limbs. GMP itself allocates temporary memory in mpn_mul,
- * mpn_tdiv_qr and mpn_gcd, at most a small multiple of the operands. */
+ * An operation puts the operands into roots of the garbage collector, computes the greatest size of the result, and
+ * creates a bignum of that capacity. It then gets views of the operands; after this nothing allocates. It computes the
+ * limbs (64-bit digits) in place. int_settle removes leading zeros, and returns a fixnum if the result fits. A bignum
+ * may therefore have a word or two of unused capacity after its limbs. GMP itself allocates temporary memory in
+ * mpn_mul, mpn_tdiv_qr and mpn_gcd, at most a small multiple of the operands. */
 #include "vm/numbers/integer.h"
 
 #include <float.h>
@@ -35,7 +35,7 @@ void vs_int_look(vs_value v, vs_int_view *w) {
   }
 }
 
-/* Creates a bignum with room for n limbs, all zero. */
+/* Creates a bignum with room for n limbs (64-bit digits), all zero. */
 static bool int_new(vs_scheme *vm, mp_size_t n, vs_value *out) {
   if (n > VS_INT_MAX_LIMBS) return int_too_large(vm);
   if (n < 1) n = 1;
@@ -48,12 +48,12 @@ static bool int_new(vs_scheme *vm, mp_size_t n, vs_value *out) {
 
 static mp_limb_t *int_limbs(vs_value v) { return vs_as_bignum(v)->limb; }
 
-/* Polls for an interrupt before a multiplication of n limbs in total. Large operands take about 100 ns per limb, small
- * operands less. */
+/* Polls for an interrupt before a multiplication whose operands have n limbs together. Large operands take about 100 ns
+ * per limb, small operands less. */
 static bool int_poll(vs_scheme *vm, mp_size_t n) { return n < 64 || vs_poll(vm, (uint64_t)n * (n < 1024 ? 4 : 32)); }
 
-/* Returns the bignum v with its lowest n limbs (64-bit digits) as an integer: without leading zeros, or as a fixnum if
- * it fits. */
+/* Shortens the bignum v to its lowest n limbs (64-bit digits) without leading zeros, and sets its sign. Returns v, or a
+ * fixnum if the integer fits. */
 static vs_value int_settle(vs_value v, mp_size_t n, bool negative) {
   vs_bignum *b = vs_as_bignum(v);
   VS_ASSERT(n >= 0 && (uint64_t)n <= b->count);
@@ -66,8 +66,8 @@ static vs_value int_settle(vs_value v, mp_size_t n, bool negative) {
   return v;
 }
 
-/* Gets the views of the two integers in `of`. Call it again after each allocation, since a collection may move the
- * integers. */
+/* Gets the views of the integers of[0] and of[1]. Call it again after each allocation, since the garbage collector may
+ * move the integers. */
 static void int_look_two(const vs_value of[2], vs_int_view *x, vs_int_view *y) {
   vs_int_look(of[0], x);
   vs_int_look(of[1], y);
@@ -210,8 +210,8 @@ static uint64_t gcd_words(uint64_t a, uint64_t b) {
   return a;
 }
 
-/* Copies a positive number without its trailing zero bits, and returns how many of these it had. Sets *n to the number
- * of limbs that remain. */
+/* Copies the positive number `from` to `to` without its trailing zero bits, and returns the number of these bits. Sets
+ * *n to the number of limbs of the copy. */
 static uint64_t int_copy_odd(mp_limb_t *to, const mp_limb_t *from, mp_size_t *n) {
   uint64_t zeros = mpn_scan1(from, 0);
   mp_size_t limbs = (mp_size_t)(zeros / 64);
@@ -232,7 +232,7 @@ bool vs_int_gcd(vs_scheme *vm, vs_value a, vs_value b, vs_value *out) {
   if (x.n == 0) return y.negative ? vs_int_negate(vm, b, out) : (*out = b, true);
   if (y.n == 0) return x.negative ? vs_int_negate(vm, a, out) : (*out = a, true);
   if (x.n == 1 && y.n == 1) return vs_int_from_uint64(vm, gcd_words(x.at[0], y.at[0]), out);
-  if (x.n == 1 || y.n == 1) {      /* one operand fits into a limb, as usual when a fraction is reduced */
+  if (x.n == 1 || y.n == 1) {      /* one operand has one limb, as usual when a fraction is reduced */
     mp_limb_t one = x.n == 1 ? x.at[0] : y.at[0];
     mp_limb_t rest = x.n == 1 ? mpn_mod_1(y.at, y.n, one) : mpn_mod_1(x.at, x.n, one);
     return vs_int_from_uint64(vm, gcd_words(one, rest), out);
@@ -337,7 +337,7 @@ bool vs_int_sqrt(vs_scheme *vm, vs_value a, vs_value *root, vs_value *rest) {
   return true;
 }
 
-/* Writes the two's complement of |w| into n limbs. w must not have more than n limbs. */
+/* Writes the integer w in two's complement to n limbs. |w| must not have more than n limbs. */
 static void int_complement(const vs_int_view *w, mp_limb_t *to, mp_size_t n) {
   VS_ASSERT(n >= w->n);
   if (w->n) mpn_copyi(to, w->at, w->n);
@@ -375,8 +375,8 @@ bool vs_int_bitwise(vs_scheme *vm, char op, vs_value a, vs_value b, vs_value *ou
 
 enum { PIECE = 20000, SQUARINGS = 14 /* PIECE * 2^14 digits exceed the largest number */ };
 
-/* Sets p[k] = radix^(PIECE * 2^k) for all k for which this power has fewer digits than `digits`, and *count to their
- * number. */
+/* Sets p[k] = radix^(PIECE * 2^k) for all k for which this power has fewer than `digits` digits. Sets *count to the
+ * number of these powers. */
 static bool piece_powers(vs_scheme *vm, int radix, double digits, vs_value *p, int *count) {
   int k = 0;
   for (double of_one = PIECE; of_one < digits && k < SQUARINGS; of_one *= 2, k++)
@@ -385,7 +385,8 @@ static bool piece_powers(vs_scheme *vm, int radix, double digits, vs_value *p, i
   return true;
 }
 
-/* Writes the digits of |a|, at most about PIECE, with leading zeros up to `width`. The radix is 2 to 36. */
+/* Writes the digits of |a|, at most about PIECE digits, with leading zeros up to `width` digits. The radix is 2 to
+ * 36. */
 static bool print_piece(vs_scheme *vm, vs_value a, int radix, size_t width, vs_text *t) {
   static const char digit[] = "0123456789abcdefghijklmnopqrstuvwxyz";
   vs_int_view x;
@@ -437,8 +438,8 @@ bool vs_int_print(vs_scheme *vm, vs_value a, int radix, vs_text *t) {
   if (!piece_powers(vm, radix, (double)vs_int_bits(a) / log2(radix), p, &count)) return false;
   todo[0].level = count;
   todo[0].first = true;
-  while (top >= 0) {                         /* each part at a level is less than p[level - 1]^2, or at level 0 less
-                                              * than p[0] */
+  while (top >= 0) {                         /* each part of level k is less than p[k - 1]^2, or for level 0 less than
+                                              * p[0] */
     int level = todo[top].level;
     bool first = todo[top].first;
     if (level == 0) {
@@ -489,8 +490,8 @@ bool vs_int_from_digits(vs_scheme *vm, const unsigned char *digits, size_t n, in
     if (!piece_from_digits(vm, digits + end - width, width, radix, &r[1])) return false;
     vs_gc_store(vm, vs_as_vector(r[0]), &vs_as_vector(r[0])->at[i], r[1]);
   }
-  for (int k = 0; pieces > 1; k++, pieces = (pieces + 1) / 2)      /* joins pairs of pieces of one level to pieces of
-                                                                    * the next */
+  for (int k = 0; pieces > 1; k++, pieces = (pieces + 1) / 2)      /* joins pairs of neighbouring pieces to pieces of
+                                                                    * the next level */
     for (size_t i = 0; i < (pieces + 1) / 2; i++) {
       r[1] = vs_as_vector(r[0])->at[2 * i];
       if (2 * i + 1 < pieces &&
@@ -504,8 +505,8 @@ bool vs_int_from_digits(vs_scheme *vm, const unsigned char *digits, size_t n, in
 
 /* ---- integers as doubles ---- */
 
-/* Returns the double nearest to top * 2^e, even if it is subnormal. Bit 63 of top is set. sticky: the exact number has
- * further bits other than 0 below top. */
+/* Returns the double nearest to top * 2^e, even if it is subnormal. Bit 63 of top is set. sticky: whether the exact
+ * number has nonzero bits below those in top, which matters for rounding. */
 static double round_top(uint64_t top, bool sticky, int64_t e) {
   int64_t high = e + 63;                         /* exponent of the leading bit of the result */
   VS_ASSERT(top >> 63 == 1);
@@ -519,8 +520,8 @@ static double round_top(uint64_t top, bool sticky, int64_t e) {
   return ldexp((double)kept, (int)(e + shift));
 }
 
-/* Returns the double nearest to the number of n limbs, times 2^e. sticky: the exact number has further bits other than
- * 0. */
+/* Returns the double nearest to the number in n limbs, times 2^e. sticky: whether the exact number has nonzero bits
+ * below the limbs. */
 static double limbs_double(const mp_limb_t *at, mp_size_t n, bool sticky, int64_t e) {
   while (n && at[n - 1] == 0) n--;
   if (n == 0) return 0.0;
@@ -551,8 +552,8 @@ bool vs_int_ratio_double(vs_scheme *vm, vs_value num, vs_value den, double *out)
     *out = (double)vs_fixnum(num) / (double)vs_fixnum(den);
     return true;
   }
-  /* Scales numerator and denominator so that the quotient has 66 or 67 bits. Two limbs contain it, and a remainder
-   * other than 0 decides the rounding. */
+  /* Scales numerator and denominator so that the quotient has 66 or 67 bits. The quotient fits into two limbs; whether
+   * the remainder is 0 determines the rounding. */
   VS_ROOTS(vm, r, 4);
   r[0] = num;
   r[1] = den;

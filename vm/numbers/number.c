@@ -1,7 +1,8 @@
 /* Implements the general arithmetic of numbers (number.h) for fixnums, bignums, ratios, doubles and flat records.
  *
- * Every operation tests the cases in one order: doubles (one double makes the result a double), flat records, exact
- * numbers. If one of two exact numbers is a ratio, it computes with numerators and denominators. */
+ * Every operation tests the types of its operands in this order: doubles (one double makes the result a double), flat
+ * records, exact numbers. If one of two exact numbers is a ratio, the operation computes with numerators and
+ * denominators. */
 #include "vm/numbers/number.h"
 
 #include <math.h>
@@ -13,8 +14,8 @@
 
 static const char *const op_name[] = {[VS_OP_ADD] = "+", [VS_OP_SUB] = "-", [VS_OP_MUL] = "*", [VS_OP_DIV] = "/"};
 
-/* Sets the error "NAME: expected EXPECTED, got V". NAME is the running native's name, or `who` if an instruction
- * replaced the call. */
+/* Sets the error "NAME: expected EXPECTED, got V". NAME is the name of the running native, or `who` if an instruction
+ * replaced the native's call. */
 static bool number_bad(vs_scheme *vm, const char *who, const char *expected, vs_value v) {
   VS_ROOTS(vm, r, 1);
   if (!vs_cons(vm, v, VS_NIL, &r[0])) return false;
@@ -88,7 +89,7 @@ static bool ratio_part(vs_value v, bool den, vs_value *out) {
   return true;
 }
 
-/* Computes a op b exactly, if a or b is a ratio or op is a division. */
+/* Computes a op b exactly, where a or b is a ratio, or op is a division. */
 static bool ratio_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_value *out) {
   VS_ROOTS(vm, r, 6);
   VS_ASSERT(vs_is_exact(a) && vs_is_exact(b));
@@ -121,7 +122,7 @@ bool vs_flat_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_valu
     const vs_value both[2] = {a, b};
     return vm->flat->call(vm, (const char *const[]){"+", "-", "*", "/"}[op], both, 2, out);
   }
-  double number = 0;   /* the operand that is no record, which may be a ratio or bignum */
+  double number = 0;   /* value of the operand that is no record; it may be a ratio or bignum */
   vs_value other = ta ? b : a;
   bool numbers = (ta && tb) || (vs_is_number(other) && vs_number_double(vm, other, &number));
   int rule = vm->flat && numbers ? vm->flat->at[op][ta][tb].rule : VS_RULE_NONE;
@@ -315,7 +316,7 @@ bool vs_number_modulo(vs_scheme *vm, vs_value a, vs_value b, vs_value *out) {
 
 bool vs_number_abs(vs_scheme *vm, vs_value a, vs_value *out) {
   if (vs_is_double(a)) return *out = vs_flonum_raw(fabs(vs_double(a))), true;
-  if (vs_is_dual(a)) { /* at 0 the absolute value has no derivative: uses that on the right side */
+  if (vs_is_dual(a)) { /* at 0 the absolute value has no derivative; the one for positive numbers is used */
     bool below;
     if (!vs_number_test(vm, VS_LT, a, vs_fix(0), &below)) return false;
     return below ? vs_number_sub(vm, vs_fix(0), a, out) : (*out = a, true);
@@ -360,7 +361,7 @@ bool vs_number_sqrt(vs_scheme *vm, vs_value a, vs_value *out) {
   }
   double d;
   if (!vs_number_double(vm, r[0], &d)) return false;
-  /* The number is outside the range of doubles, but its root is not: computes at least 64 bits of the root with
+  /* The number is outside the range of doubles, but its square root is not: computes at least 64 bits of the root with
    * integers. */
   if (isinf(d) || d == 0) {
     ratio_part(r[0], false, &r[1]), ratio_part(r[0], true, &r[2]);
