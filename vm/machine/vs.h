@@ -28,7 +28,7 @@
   A(lib)           /* values that vm/library keeps */ \
   A(nearby)        /* identifier table or #f: for each undefined name in the program, the most similar local name, for
                     * messages */ \
-                   /* identifier table or #f: names that a let binds and that are undefined outside it, for messages */ \
+                   /* identifier table or #f: names that a let binds and that are undefined outside it */ \
   A(host)          /* values that bind/ keeps */ \
   A(standard_out) A(standard_in) A(standard_error)    /* the standard ports */ \
   A(flat_names)    /* vector: constructors of flat records (symbols or #f), indexed by the record's tag */ \

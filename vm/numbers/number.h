@@ -22,10 +22,10 @@ bool vs_number_sub(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
 bool vs_number_mul(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
 bool vs_number_div(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);    /* division of an exact number by an exact
                                                                               * 0 is an error */
-/* Computes a+b, a-b, a*b or a/b if at least one is a flat record. Returns false with an error that names the kinds of
- * both. */
+/* Computes a+b, a-b, a*b or a/b, where at least one operand is a flat record (point, vector). Returns false with an
+ * error that names the kinds of both operands. */
 bool vs_flat_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_value *out);
-/* Relations of numbers. Comparisons of exact with inexact numbers are exact; comparisons with NaN are false. */
+/* Relations of numbers. A comparison of an exact with an inexact number is exact; a comparison with NaN is false. */
 typedef enum { VS_LT, VS_LE, VS_EQ, VS_GE, VS_GT } vs_relation;
 bool vs_number_test(vs_scheme *vm, vs_relation relation, vs_value a, vs_value b, bool *out);
 bool vs_number_quotient(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
@@ -38,13 +38,13 @@ bool vs_number_is_zero(vs_scheme *vm, vs_value a, bool *out);                /* 
                                                                               * expected a number" */
 
 /* ---- conversions ---- */
-/* Sets *out to the nearest double of a number. Returns false when memory is out. */
+/* Sets *out to the double nearest to a number. Returns false when memory is out. */
 bool vs_number_double(vs_scheme *vm, vs_value v, double *out);
-/* Sets *out to the exact value of a number. Infinities and NaN are errors. */
+/* Sets *out to the exact number that equals v. Infinities and NaN are errors. */
 bool vs_number_exact(vs_scheme *vm, vs_value v, vs_value *out);
-/* Sets *out to num / den in lowest terms. Both are exact integers; den is not 0. */
+/* Sets *out to num / den in lowest terms. num and den are exact integers; den is not 0. */
 bool vs_number_ratio(vs_scheme *vm, vs_value num, vs_value den, vs_value *out);
-/* Sets *out to num / den, which have no common divisor. */
+/* Sets *out to num / den, where num and den have no common divisor. */
 bool vs_number_lowest(vs_scheme *vm, vs_value num, vs_value den, vs_value *out);
 
 /* Returns true if two numbers are equal in type and value, as by eqv?. */

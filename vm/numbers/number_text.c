@@ -16,7 +16,7 @@
 
 /* ---- the digits of a double ---- */
 
-enum { BIG_LIMBS = 40, MAX_DIGITS = 1100 /* MAX_DIGITS: digits of a double in base 2 */ };
+enum { BIG_LIMBS = 40, MAX_DIGITS = 1100 /* MAX_DIGITS: greatest number of digits of a double, reached in base 2 */ };
 typedef struct { mp_limb_t at[BIG_LIMBS]; mp_size_t n; } big;       /* n: number of limbs in use, without leading
                                                                      * zeros */
 
@@ -57,7 +57,7 @@ static int big_compare(const big *a, const big *b) {
   return a->n ? mpn_cmp(a->at, b->at, a->n) : 0;
 }
 
-/* Compares a + b with c. */
+/* Returns a number below 0, 0 or above 0 if a + b is less than, equal to or greater than c. */
 static int big_compare_sum(const big *a, const big *b, const big *c) {
   big sum;
   const big *x = a->n >= b->n ? a : b, *y = a->n >= b->n ? b : a;
@@ -71,7 +71,7 @@ static int big_compare_sum(const big *a, const big *b, const big *c) {
   return big_compare(&sum, c);
 }
 
-/* Subtracts b from a as often as possible, which is fewer than 37 times. Returns the number of subtractions. */
+/* Divides a by b, by repeated subtraction, fewer than 37 times. a becomes the remainder. Returns the quotient. */
 static unsigned big_divide(big *a, const big *b) {
   unsigned q = 0;
   while (big_compare(a, b) >= 0) {
@@ -89,7 +89,7 @@ static int double_digits(double d, unsigned radix, unsigned char *digits, int *p
   uint64_t f = (uint64_t)ldexp(frexp(d, &e), DBL_MANT_DIG);
   VS_ASSERT(d > 0 && isfinite(d));
   e -= DBL_MANT_DIG;
-  if (e < DBL_MIN_EXP - DBL_MANT_DIG) {                  /* a subnormal number has fewer bits */
+  if (e < DBL_MIN_EXP - DBL_MANT_DIG) {                  /* a subnormal double has fewer significant bits */
     f >>= DBL_MIN_EXP - DBL_MANT_DIG - e;
     e = DBL_MIN_EXP - DBL_MANT_DIG;
   }
@@ -166,7 +166,7 @@ size_t vs_double_text(double d, char out[VS_DOUBLE_TEXT]) {
   }
   unsigned char digits[VS_DOUBLE_TEXT] = {0};
   int point, n = decimal_digits(d, digits, &point);
-  if (point > 21 || point < -5) {                       /* written with an exponent: d.ddde+x */
+  if (point > 21 || point < -5) {                       /* writes a double with an exponent: d.ddde+x */
     *p++ = (char)('0' + digits[0]);
     if (n > 1) *p++ = '.';
     for (int i = 1; i < n; i++) *p++ = (char)('0' + digits[i]);
@@ -193,7 +193,7 @@ static bool double_print(double d, int radix, vs_text *t) {
     char s[VS_DOUBLE_TEXT];
     return vs_text_put(t, s, vs_double_text(d, s));
   }
-  /* Does not write an exponent, since its letter e is a digit in other radices. */
+  /* A number in another radix is written without an exponent, whose letter e would be a digit. */
   static const char name[] = "0123456789abcdefghijklmnopqrstuvwxyz";
   unsigned char digits[MAX_DIGITS];
   int point, n = double_digits(fabs(d), (unsigned)radix, digits, &point);
@@ -231,7 +231,7 @@ typedef struct scan {
   vs_scheme *vm;
   const char *s, *end;
   int radix;
-  char exactness;            /* 'e' after the prefix #e, 'i' after #i, or 0 */
+  char exactness;            /* exactness: 'e' after the prefix #e, 'i' after #i, or 0 */
   bool negative;
 } scan;
 
@@ -267,8 +267,8 @@ static bool finish_exact(const scan *in, vs_value v, vs_value *out) {
   return in->negative ? vs_number_sub(in->vm, vs_fix(0), r[0], out) : (*out = r[0], true);
 }
 
-/* Sets *out to the number whose mantissa has these digits (values), times radix^exponent: a double, or an exact number
- * after #e. */
+/* Sets *out to the number whose mantissa has the n digits (values, not characters), times radix^exponent. It is a
+ * double, or an exact number after the prefix #e. */
 static bool scaled_number(const scan *in, const unsigned char *digits, size_t n, int64_t exponent, vs_value *out) {
   vs_scheme *vm = in->vm;
   while (n && digits[0] == 0) digits++, n--;
@@ -290,7 +290,7 @@ static bool scaled_number(const scan *in, const unsigned char *digits, size_t n,
   } else if (exponent > 1000000 || exponent < -1000000) {
     return vs_fail(vm, vm->sym.range, "the exponent of an exact number is too large");
   }
-  /* Of the digits after the first KEEP, only whether they are all 0 can affect the result: one digit replaces them. */
+  /* After the first KEEP digits, the others affect the result only if they are not all 0. One digit replaces them. */
   enum { KEEP = 1200 };
   unsigned char kept[KEEP + 1];
   if (!exact && n > KEEP) {
@@ -343,7 +343,7 @@ static bool scan_decimal(const scan *in, const char *p, vs_value *out) {
     }
     if (minus) exponent = -exponent;
   } else if (!point) {
-    return true;                                  /* the text is a plain integer, which was already tried */
+    return true;                                  /* a plain integer was already tried, without success */
   }
   unsigned char small[64], *digits = n <= sizeof small ? small : vs_mem(in->vm, NULL, 0, n);
   if (!digits) return vs_fail_memory(in->vm);
@@ -366,7 +366,7 @@ static bool equals(const char *p, const char *end, const char *lower) {
 
 bool vs_number_parse(vs_scheme *vm, const char *s, size_t n, int radix, vs_value *out) {
   VS_ASSERT(radix >= 2 && radix <= 36);
-  /* accepts 3+0i, whose imaginary part is an exact 0: it is the number 3. There are no other complex numbers. */
+  /* accepts 3+0i as the number 3, since its imaginary part is an exact 0; there are no other complex numbers */
   if (n > 3 && is_letter(s[n - 1], 'i') && s[n - 2] == '0' && (s[n - 3] == '+' || s[n - 3] == '-') &&
       !is_letter(s[n - 4], 'e') && s[n - 4] != '#')
     n -= 3;

@@ -4,8 +4,8 @@
 
 #include "vm/stepping/step.h"
 
-/* Continues a stopped program until its next stop, which `mode` determines (SAME: as before), its end or an error.
- * Returns as vs_run does. `stop` is a condition for which vs_is_stop is true. */
+/* Continues a stopped program until its next stop, which `mode` determines (SAME: the mode of the previous step), its
+ * end or an error. Returns as vs_run does. `stop` is a condition for which vs_is_stop is true. */
 bool vs_step_resume(vs_scheme *vm, vs_value stop, vs_step_mode mode, vs_value *out);
 
 #endif

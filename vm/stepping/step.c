@@ -1,12 +1,12 @@
 /* Implements stops of a program: the check of each instruction in the stepping run loop, (break), and continuing.
  *
- * A step goes from one call in the program's own text to the next, in the order in which they are executed. Procedures
- * that are opcodes count as calls. An expression is shown when its operands have their values, such as (* 4 2), and
+ * A step goes from one call in the program's own text to the next, in the order in which they are executed. Opcodes
+ * that replace a call count as calls. An expression is shown when its operands have their values, such as (* 4 2), and
  * again with its result. Calls in the library do not stop.
  *
  * The level of an activation is its distance from the bottom of the stack, including the parts in the heap. The level
  * of a callee is greater than that of its caller. An activation that replaces another by a tail call has the same
- * level. Stepping over an expression skips all activations above its own until it has its value. */
+ * level. Stepping over an expression skips all activations of greater levels until the expression has its value. */
 #include "vm/stepping/step.h"
 
 #include "vm/compiler/code.h"
@@ -47,8 +47,8 @@ static bool value_of(const vs_code *code, const vs_value *base, uint32_t call, u
     default: break;
   }
   switch (vs_op_generic(op)) {
-    case VS_O_G_JABC: case VS_O_G_JAI: case VS_O_G_JA: /* a conditional jump shows the truth of the call's result: the
-                                                        * jump is taken if the truth equals operand C */
+    case VS_O_G_JABC: case VS_O_G_JAI: case VS_O_G_JA: /* a conditional jump shows whether the call's result is true: it
+                                                        * jumps if this truth equals operand C */
       *out = vs_bool((at != call + length_of(op)) == (bool)VS_C(*ins));
       return true;
     case VS_O_NONE: case VS_O_G_SET: case VS_O_G_SETV: case VS_O_G_RECSET: return false;
@@ -96,7 +96,7 @@ static size_t operands_of(const vs_code *code, vs_value *base, const uint32_t *i
 /* ---- stopping a program ---- */
 
 /* Creates the error object that represents a stop, without its continuation. of: roots of the garbage collector with
- * the subject, the arguments and the keywords. */
+ * the called procedure or the value, the arguments and the keywords. */
 static bool make_stop(vs_scheme *vm, vs_stop_kind kind, const vs_value *of, uint64_t level, bool tail) {
   VS_ROOTS(vm, r, 1);
   if (!vs_make_vector(vm, VS_STOP_WORDS, VS_FALSE, &r[0])) return false;
@@ -116,8 +116,7 @@ static bool make_stop(vs_scheme *vm, vs_stop_kind kind, const vs_value *of, uint
   return true;
 }
 
-/* Stores a continuation in the stop vm->condition: that of the window w (procedure, return information, n
- * arguments). */
+/* Stores the continuation of the window w (procedure, return information, n arguments) in the stop vm->condition. */
 static bool hold(vs_scheme *vm, vs_value *w, size_t n) {
   VS_ROOTS(vm, r, 1);
   VS_ASSERT(vs_is_stop(vm, vm->condition));
@@ -130,8 +129,8 @@ static bool hold(vs_scheme *vm, vs_value *w, size_t n) {
   return true;
 }
 
-/* Where an activation stops: before the instruction at index `at`. `shown` is the index of the instruction that the
- * host shows. */
+/* The position at which an activation stops. at: index of the instruction that runs next; shown: index of the
+ * instruction that the host shows. */
 typedef struct { vs_value *base; uint32_t at, shown; uint64_t level; } stopped;
 
 static vs_step_verdict stop(vs_scheme *vm, const stopped *s, vs_stop_kind kind, vs_value subject) {
@@ -156,8 +155,8 @@ static vs_step_verdict stop(vs_scheme *vm, const stopped *s, vs_stop_kind kind, 
   vs_value *w = base + code->registers;
   w[0] = VS_FALSE;
   w[1] = vs_ret_make(code->registers, at);
-  hold(vm, w, 0);       /* if memory is out, no handler can catch that error, since the activations may already be in
-                         * the heap */
+  hold(vm, w, 0);       /* if memory is out, no handler can catch the error, since the activations may already be in the
+                         * heap */
   return VS_LOOK_STOP;
 }
 
@@ -222,8 +221,8 @@ static vs_status break_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 
 static vs_status resume(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
-  vs_call_begin(vm, a[0]);        /* does not run the before thunks of the program's dynamic-winds, since the program
-                                   * has not left them */
+  vs_call_begin(vm, a[0]);        /* resumes without the `before` procedures of dynamic-wind, since the program has not
+                                   * left any */
   *out = VS_UNSPECIFIC;
   return VS_THROW;
 }

@@ -20,5 +20,5 @@
 #define VS_DEBUG_SMALL 0
 #endif
 
-/* A further switch is set at run time: vm->fail_after is the number of allocations until one is refused; 0: off. */
+/* Another switch is set at run time. vm->fail_after: number of allocations until one fails, or 0. */
 #endif

@@ -12,9 +12,9 @@ typedef struct equal_pair { vs_value a, b; } equal_pair;
 typedef struct equal_walk {
   vs_scheme *vm;
   equal_pair *todo; size_t count, room;
-  equal_pair *notes; size_t noted, slots;          /* hash table of compared pairs, with open addressing; a = 0 in a
-                                                    * free slot (0 is no object). noted: number of pairs; slots: size of
-                                                    * the table */
+  equal_pair *notes; size_t noted, slots;          /* notes: hash table of compared pairs, with open addressing; in a
+                                                    * free slot, a is 0, which is no object. noted: number of pairs;
+                                                    * slots: number of slots */
 } equal_walk;
 
 static uint64_t mix(uint64_t h, uint64_t v) {
@@ -34,7 +34,8 @@ static bool equal_push(equal_walk *w, vs_value a, vs_value b) {
   return true;
 }
 
-/* Returns the slot of the pair a, b, or the free slot for it. The number of slots is a power of two. */
+/* Returns the slot that contains the pair (a, b), or the free slot where it belongs. The number of slots is a power of
+ * two. */
 static equal_pair *equal_slot(equal_pair *notes, size_t slots, vs_value a, vs_value b) {
   size_t i = (size_t)mix(mix(0, a), b) & (slots - 1);
   VS_ASSERT(slots > 0 && (slots & (slots - 1)) == 0);
@@ -42,7 +43,7 @@ static equal_pair *equal_slot(equal_pair *notes, size_t slots, vs_value a, vs_va
   return &notes[i];
 }
 
-/* Records the pair. Sets *known if it was already recorded. Returns false when memory is out. */
+/* Records the pair (a, b). Sets *known to true if it was already recorded. Returns false when memory is out. */
 static bool equal_note(equal_walk *w, vs_value a, vs_value b, bool *known) {
   if (w->noted * 2 >= w->slots) {
     size_t slots = w->slots ? w->slots * 2 : 1024;
@@ -155,7 +156,8 @@ static uint64_t string_hash(const vs_string *s) {
   return mix(h, s->length);
 }
 
-/* Returns the hash of v alone, without the elements of a pair or vector. */
+/* Returns the hash of v alone, without the elements of a pair or vector. deep: as equal? compares, not by address. Sets
+ * *moves to true if the hash depends on the address of a young object. */
 static uint64_t hash_atom(vs_scheme *vm, vs_value v, bool deep, bool *moves) {
   if (!vs_is_object(v)) return mix(1, v);
   const vs_object *o = vs_object_of(v);

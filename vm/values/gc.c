@@ -1,8 +1,8 @@
 /* Implements the garbage collector.
  *
- * Old space is where objects live that have survived a collection. It consists of blocks of BLOCK bytes. Each block has
+ * Old space contains the objects that have survived a collection. It consists of blocks of BLOCK bytes. Each block has
  * cells of one size class. Blocks are parts of chunks, which have CHUNK_BLOCKS blocks, or more in a large heap (the
- * host may then use huge pages). A class has a list of free cells, and one block from which new cells are taken in
+ * host may then use huge pages). A size class has a list of free cells, and one block from which new cells are taken in
  * sequence. Objects larger than the largest class are separate allocations in a list. Old objects never move.
  *
  * A minor collection copies the live objects of the nursery (new objects) to old space. It must not fail before it is
@@ -27,8 +27,8 @@ enum {
   BLOCK_DATA = BLOCK - 32,
   CHUNK_BLOCKS = 64,
   CHUNK_LEAST = 2 << 20, CHUNK_MOST = 4 << 20,      /* bounds of the size of a chunk in a large heap, in bytes */
-  /* If the host refuses memory, a major collection runs. The next major collection for this reason must wait until
-   * 1/STARVED of the heap has been allocated. */
+  /* STARVED: if the host refuses memory, a major collection runs. Before the next one for this reason, 1/STARVED of the
+   * heap must have been allocated. */
   STARVED = 64,
   GC_MARK = 1, GC_REMEMBERED = 2, GC_FREE = 4, GC_MOVED = 8, GC_LARGE = 16
 };
@@ -44,21 +44,22 @@ enum { NURSERY = 1 << 20, FIRST_MAJOR = 16 << 20 };
 
 static const uint16_t class_words[] = { 2,  3,  4,  5,  6,  7,  8,  10, 12,  14,  16, 20,
                                         24, 28, 32, 40, 48, 64, 80, 96, 128, 170, 255 };
-/* CLASS_MAX: greatest size in words of objects in blocks; larger ones are allocated separately in the old space */
+/* CLASS_MAX: greatest size in words of objects in blocks. Larger objects are allocated separately in the old space. */
 enum { CLASSES = sizeof class_words / sizeof class_words[0], CLASS_MAX = 255 };
 
 struct vs_gc_block {
   struct vs_gc_block *next;
   uint32_t words;                     /* size in words of the cells of this class */
-  uint32_t used;                      /* number of bytes at the start of the block that have been divided into cells */
+  uint32_t used;                      /* number of bytes at the start of the block that were already divided into
+                                       * cells */
   struct vs_gc_chunk *chunk;
   uint64_t unused;
   uint64_t data[];
 };
 struct vs_gc_chunk {
   struct vs_gc_chunk *next, *open;    /* next: next chunk in the list; open: next chunk that has unused blocks */
-  uint32_t fresh, live;               /* fresh: number of the chunk's blocks that were never used; live: number of its
-                                       * blocks in use, as counted by the sweep */
+  uint32_t fresh, live;               /* fresh: number of the chunk's blocks that were never used; live: number of the
+                                       * chunk's blocks in use, as counted by the last major collection */
   uint32_t count, leaving;            /* count: number of the chunk's blocks; leaving: whether the chunk is about to be
                                        * freed */
 };
@@ -72,31 +73,32 @@ struct vs_gc {
                                                  * use */
   size_t spares;
   struct vs_gc_chunk *chunks, *open;
-  size_t chunk_bytes;                           /* bytes of all chunks */
+  size_t chunk_bytes;                           /* size of all chunks together, in bytes */
   struct { struct free_cell *free; struct vs_gc_block *bump; } of[CLASSES];
   uint8_t class_of[CLASS_MAX + 1];              /* class_of[n]: size class of objects with n words */
   struct vs_gc_large *large;
-  /* The actual end of the nursery. vm->end is lower while every allocation must call vs_gc_alloc. */
+  /* The actual end of the nursery. vm->end is set to a lower address when every allocation must call vs_gc_alloc. */
   char *nursery_end;
   bool minor;                                   /* whether a minor collection is running */
-  bool ready;                                   /* whether the blocks that the next minor collection may need are
-                                                 * reserved */
-  size_t old_bytes, major_at;                   /* old_bytes: bytes of old objects; major_at: value of old_bytes at
-                                                 * which a major collection begins */
-  /* Bytes of old objects allocated since the last major collection that ran because memory was refused. */
+  bool ready;                                   /* whether blocks are reserved for the copies of the next minor
+                                                 * collection */
+  size_t old_bytes, major_at;                   /* old_bytes: size of all old objects in bytes; major_at: value of
+                                                 * old_bytes at which a major collection begins */
+  /* Bytes allocated for old objects since the last major collection that ran because the host refused memory. */
   size_t granted;
-  size_t external, external_minor;              /* external: bytes of host memory that objects keep; external_minor:
-                                                 * value of external at which a minor collection begins */
+  size_t external, external_minor;              /* external: bytes of host memory that objects keep in use;
+                                                 * external_minor: value of `external` at which a minor collection
+                                                 * begins */
   vs_object **remembered; size_t remembered_count, remembered_room; bool remembered_lost;
   vs_object **young_foreign; size_t young_count, young_room;
   vs_object **tracing; size_t tracing_count, tracing_room;     /* old foreign objects with a trace function */
-  vs_object *grey;                              /* worklist of the minor collection: list of the objects copied to old
-                                                 * space whose references were not yet visited */
+  vs_object *grey;                              /* worklist of the minor collection: linked list of the objects that
+                                                 * were copied to old space and whose references were not yet visited */
   struct mark_entry *marks; size_t mark_count, mark_room; bool mark_lost;
-  char *image; size_t image_bytes;              /* objects that were loaded from a heap image */
+  char *image; size_t image_bytes;              /* the objects of a loaded heap image, image_bytes long */
   void (*release_image)(vs_scheme *vm, void *image, size_t bytes);
-  /* For VS_DEBUG_STRESS: visits: slots that the last minor collection has visited; minor_in, whole_in: allocations
-   * until the next minor and the next whole collection. */
+  /* For VS_DEBUG_STRESS. visits: number of slots that the last minor collection has visited. minor_in, whole_in: number
+   * of allocations until the next minor collection and until the next collection of the whole heap. */
   size_t visits, minor_in, whole_in;
 };
 
@@ -129,7 +131,7 @@ void *vs_mem(vs_scheme *vm, void *p, size_t old_bytes, size_t bytes) {
   return q;
 }
 
-/* Makes room for another element in a C array. Returns false when memory is out. */
+/* Grows a C array of elements of `size` bytes so that element number `count` fits. Returns false when memory is out. */
 static bool gc_grow(vs_scheme *vm, void *array, size_t *room, size_t count, size_t size) {
   if (count < *room) return true;
   size_t more = *room ? *room * 2 : 64;
@@ -144,8 +146,8 @@ static size_t chunk_size(size_t blocks) {
   return blocks > CHUNK_BLOCKS ? (blocks + 1) * BLOCK : sizeof(struct vs_gc_chunk) + blocks * BLOCK;
 }
 
-/* Adds a chunk of CHUNK_BLOCKS blocks. In a larger heap, the chunk is the largest power of two from CHUNK_LEAST to
- * CHUNK_MOST bytes that does not exceed a quarter of the heap. */
+/* Adds a chunk to the old space. It has CHUNK_BLOCKS blocks. In a larger heap, its size is the largest power of two
+ * from CHUNK_LEAST to CHUNK_MOST bytes that does not exceed a quarter of the heap. */
 static bool gc_add_chunk(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
   size_t blocks = CHUNK_BLOCKS;
@@ -197,7 +199,7 @@ static struct vs_gc_block *gc_block(vs_scheme *vm) {
   return b;
 }
 
-/* Returns a cell for an object of that many words, at most CLASS_MAX, or NULL if no block is left. */
+/* Returns a free cell for an object of `words` words (at most CLASS_MAX), or NULL if no block is left. */
 static vs_object *gc_cell(vs_scheme *vm, size_t words) {
   struct vs_gc *gc = vm->gc;
   unsigned k = gc->class_of[words];
@@ -221,8 +223,8 @@ static vs_object *gc_cell(vs_scheme *vm, size_t words) {
   return &f->h;
 }
 
-/* Returns a cell for an object that is allocated in old space, or NULL when memory is out. Does not use the blocks
- * reserved for the next minor collection. */
+/* Returns a cell for a new object in old space, or NULL when memory is out. Does not use the blocks that are reserved
+ * for the next minor collection. */
 static vs_object *gc_born_old(vs_scheme *vm, size_t words) {
   struct vs_gc *gc = vm->gc;
   unsigned k = gc->class_of[words];
@@ -234,7 +236,7 @@ static vs_object *gc_born_old(vs_scheme *vm, size_t words) {
 }
 
 /* Allocates a large object separately, zeroed. Returns NULL when memory is out. Zeroing a gigabyte takes so long that
- * it polls for an interrupt. *stopped is set if an interrupt, and not refused memory, is the reason for NULL. */
+ * the function polls for an interrupt; if an interrupt is the reason for NULL, sets *stopped to true. */
 static vs_object *gc_large(vs_scheme *vm, size_t words, bool *stopped) {
   struct vs_gc *gc = vm->gc;
   size_t bytes = words * sizeof(uint64_t);
@@ -255,7 +257,7 @@ static void gc_hold_down(vs_scheme *vm) {      /* for debugging: makes every all
   vm->end = VS_DEBUG_STRESS || vm->fail_after ? vm->nursery : vm->gc->nursery_end;
 }
 
-/* Initialises the header of an object of this type (VS_T_...), and zeroes the rest. */
+/* Initialises the header of an object of the type VS_T_..., and zeroes the other words. */
 static vs_object *gc_init(vs_object *o, int type, unsigned gc, size_t words) {
   VS_ASSERT(type >= 0 && type < VS_T_COUNT);
   if (!(gc & GC_LARGE)) memset(o, 0, words * sizeof(uint64_t));       /* a large object was already zeroed by
@@ -264,13 +266,13 @@ static vs_object *gc_init(vs_object *o, int type, unsigned gc, size_t words) {
   return o;
 }
 
-/* For VS_DEBUG_STRESS: runs the collections that are due before this allocation. */
+/* For VS_DEBUG_STRESS: runs the collections that are due at this allocation. */
 static void gc_stress(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
   if (gc->whole_in-- == 0) {
     vs_gc_major(vm);
     if (!vs_gc_check(vm)) __builtin_trap();
-    /* The period varies, so that it does not coincide with the period of a loop in the program. */
+    /* The period of whole collections varies, so that it does not coincide with the period of a loop in the program. */
     gc->whole_in = (gc->old_bytes + gc->image_bytes) / STRESS_BYTES + vm->collections % 7;
   } else if (gc->minor_in-- == 0) {
     vs_gc_minor(vm);
@@ -291,11 +293,11 @@ vs_object *vs_gc_alloc_old(vs_scheme *vm, int type, size_t words) {
   if (VS_DEBUG_STRESS && gc->whole_in-- == 0) { gc->whole_in = 0; gc_stress(vm); }
   if (gc->old_bytes + gc->external + words * 8 > gc->major_at || (words > CLASS_MAX && gc_over_limit(vm, words * 8)))
     vs_gc_major(vm);
-  /* Makes room for this object in the remembered set, so that adding it cannot fail later. */
+  /* Reserves an entry of the remembered set for the object, so that adding the object cannot fail later. */
   if (!gc_grow(vm, &gc->remembered, &gc->remembered_room, gc->remembered_count, sizeof *gc->remembered)) return NULL;
   bool stopped = false;
   vs_object *o = words <= CLASS_MAX ? gc_born_old(vm, words) : gc_large(vm, words, &stopped);
-  /* If memory was refused, a collection may free some, unless one has just run. */
+  /* If memory was refused, a collection may free memory, unless one has just run. */
   if (!o) {
     if (stopped || gc->granted < gc->old_bytes / STARVED) return NULL;
     gc->granted = 0;
@@ -305,8 +307,8 @@ vs_object *vs_gc_alloc_old(vs_scheme *vm, int type, size_t words) {
   }
   gc->granted += words * 8;
   gc_init(o, type, words > CLASS_MAX ? GC_LARGE : 0, words);
-  if (vs_layout[type].first) vs_gc_remember(vm, o);     /* the caller first sets the object's fields without the write
-                                                         * barrier, so the object is remembered */
+  if (vs_layout[type].first) vs_gc_remember(vm, o);     /* the caller will set the object's fields without the write
+                                                         * barrier, so the object is remembered now */
   return o;
 }
 
@@ -353,7 +355,8 @@ void vs_gc_remember(vs_scheme *vm, vs_object *o) {
   if (o->gc & GC_REMEMBERED) return;
   o->gc |= GC_REMEMBERED;
   if (gc->remembered_count == gc->remembered_room) {
-    /* If memory for the remembered set is out, the flag in the object suffices: a walk over the heap finds it. */
+    /* If the remembered set cannot grow, the flag in the object suffices: the next minor collection then walks over the
+     * heap to find flagged objects. */
     vs_value was = vm->condition;
     bool grown = gc_grow(vm, &gc->remembered, &gc->remembered_room, gc->remembered_count, sizeof *gc->remembered);
     vm->condition = was;
@@ -370,15 +373,15 @@ void vs_gc_external(vs_scheme *vm, int64_t bytes) {
   else gc->external = (size_t)((int64_t)gc->external + bytes);
 }
 
-/* The number of bytes that a host's object keeps is stored in 16 bits of its header, as a number of CHARGE_DIGITS bits,
- * rounded up, and a shift. Thus the number that is added when the object is created equals the number that is
- * subtracted when it dies. */
+/* The number of bytes that a host's object keeps in use is stored in 16 bits of the Scheme object's header: a number of
+ * CHARGE_DIGITS bits, rounded up, and a shift. The collector adds this rounded number when the object is created, and
+ * subtracts exactly the same number when it dies. */
 enum { CHARGE_DIGITS = 11, CHARGE_MASK = (1 << CHARGE_DIGITS) - 1 };
 static uint16_t gc_charge(size_t bytes) {
   unsigned shift = 0;
   for (; bytes > CHARGE_MASK && shift < 31; shift++) bytes = bytes / 2 + bytes % 2;
-  return (uint16_t)(shift << CHARGE_DIGITS | (bytes & CHARGE_MASK)); /* the shift has 5 bits, enough because every
-                                                                      * object is smaller than 4 TB */
+  return (uint16_t)(shift << CHARGE_DIGITS | (bytes & CHARGE_MASK)); /* the shift has 5 bits, which suffice for objects
+                                                                      * below 4 TB */
 }
 static size_t gc_charged(uint16_t charge) { return (size_t)(charge & CHARGE_MASK) << (charge >> CHARGE_DIGITS); }
 
@@ -426,8 +429,8 @@ static inline void gc_visit_range(vs_scheme *vm, vs_value *at, size_t n, gc_visi
 static void gc_visit_roots(vs_scheme *vm, gc_visit *visit) {
   if (vm->stack) {
     gc_visit_range(vm, vm->stack, (size_t)(vm->top - vm->stack), visit);
-    /* Zeroes the unused slots above the top: their old contents would count as live when an activation includes them
-     * before it writes them. */
+    /* Zeroes the unused slots of the stack above vm->top. A later activation may include them before it writes them,
+     * and their old contents would then count as live. */
     memset(vm->top, 0, (size_t)((char *)vm->stack_end - (char *)vm->top));
   }
   visit(vm, &vm->under);
@@ -455,7 +458,7 @@ static void minor_visit(vs_scheme *vm, vs_value *slot) {
     size_t words = o->words;
     for (size_t i = 0; i < words; i++) to[i] = corpse[i];     /* most objects have a few words, for which a loop is
                                                                * faster than a call of memcpy */
-    /* The header of the moved object now has GC_MOVED in its low bytes, and above them the address of the next old
+    /* The header of the moved object now contains GC_MOVED in its low bytes, and above them the address of the next
      * copy in the worklist. Word 1 is the object's new address. An object without references is not added to the
      * worklist. */
     corpse[0] = (uint64_t)GC_MOVED << 8;
@@ -509,17 +512,19 @@ bool vs_gc_is_minor(const vs_scheme *vm) { return vm->gc->minor; }
 
 void vs_gc_minor(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
-  if (!gc->ready) return;      /* the nursery is closed for lack of reserved blocks, so it contains no objects */
+  if (!gc->ready) return;      /* the nursery could not be opened for lack of reserved blocks, so it contains no
+                                * objects */
   gc->grey = NULL;
-  gc->visits = (size_t)(vm->stack_end - vm->top) / 16;      /* counts the zeroing of slots above the top as visits */
+  gc->visits = (size_t)(vm->stack_end - vm->top) / 16;      /* zeroing the stack above vm->top counts as visits of these
+                                                             * slots */
   gc->minor = true;
   gc_visit_roots(vm, minor_visit);
   if (gc->remembered_lost) gc_walk_old(vm, minor_remembered);
   else for (size_t i = 0; i < gc->remembered_count; i++) minor_remembered(vm, gc->remembered[i]);
   gc->remembered_count = 0; gc->remembered_lost = false;
   gc_trace_foreign(vm, minor_visit);
-  /* Young objects with trace functions are treated as live until the next major collection, but only if other objects
-   * refer to them: the worklist is emptied first. */
+  /* Young foreign objects that were moved are live; their trace functions pass their values to the collector. These
+   * values may keep further objects alive, so the loop repeats until there are no new ones. */
   bool again = true;
   while (again) {
     while (gc->grey) {
@@ -551,8 +556,8 @@ void vs_gc_minor(vs_scheme *vm) {
   vs_value was = vm->condition;
   gc->ready = gc_reserve(vm);
   vm->condition = was;
-  /* If memory for the reserved blocks is refused, the nursery remains closed. The next allocation tries again, and
-   * fails if memory is still refused. */
+  /* If memory for the reserved blocks is refused, the nursery remains closed. The next allocation tries again to
+   * reserve them, and fails if memory is still refused. */
   if (gc->ready) gc_hold_down(vm); else vm->end = vm->free;
   if (VS_DEBUG_CHECK && !vs_gc_check(vm)) __builtin_trap();
 }
@@ -584,7 +589,8 @@ static void major_drain(vs_scheme *vm) {
     size_t n;
     vs_value *slots = vs_layout_slots(e.o, &n);
     size_t stop = n;
-    if (n - e.next > 64) {                     /* long objects are visited in pieces, so that the stack remains small */
+    if (n - e.next > 64) {                     /* a long object is visited in pieces of 64 slots, so that the mark stack
+                                                * remains small */
       stop = e.next + 64;
       major_push(vm, e.o, stop);
       if (gc->mark_lost) stop = n;
@@ -601,7 +607,7 @@ static void major_rescan(vs_scheme *vm, vs_object *o) {
   major_drain(vm);
 }
 
-/* Frees chunks without a block in use, while enough spare blocks remain. */
+/* Frees chunks that have no block in use, as long as the remaining chunks have enough spare blocks. */
 static void major_give_back(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
   size_t keep = gc_blocks_needed(vm), leaving = 0;
@@ -631,8 +637,8 @@ static void major_sweep(vs_scheme *vm) {
     unsigned k = gc->class_of[b->words];
     struct free_cell *head = gc->of[k].free;
     size_t cells = 0, step = b->words * 8u;
-    bool stays = false;                        /* stays: whether the block remains in use; the cells of a block that is
-                                                * freed are not added to the free list */
+    bool stays = false;                        /* stays: whether the block remains in use; cells of a block that becomes
+                                                * spare are not added to the free list */
     for (size_t at = 0; at < b->used && !stays; at += step)
       stays = (((vs_object *)(void *)((char *)b->data + at))->gc & GC_MARK) != 0;
     for (size_t at = 0; at < b->used; at += step) {
@@ -647,7 +653,7 @@ static void major_sweep(vs_scheme *vm) {
       struct free_cell *f = (struct free_cell *)(void *)o;
       f->next = head; head = f;
     }
-    if (cells == 0) {                          /* removes the cells of an empty block from the free list */
+    if (cells == 0) {                          /* removes an empty block's cells from the free list */
       *link = b->next;
       b->next = gc->spare; gc->spare = b; gc->spares++;
     } else {
@@ -688,12 +694,13 @@ static void major_sweep(vs_scheme *vm) {
 void vs_gc_major(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
   vs_gc_minor(vm);
-  if (vm->free != vm->nursery) return;         /* the nursery could not be emptied, because memory was refused */
+  if (vm->free != vm->nursery) return;         /* the minor collection could not empty the nursery, because memory was
+                                                * refused */
   gc->mark_lost = false;
   gc_visit_roots(vm, major_visit);
   major_drain(vm);
   for (;;) {
-    /* Foreign objects with trace functions may refer to values that only these functions can find. */
+    /* Foreign objects with trace functions may contain references that only these functions can find. */
     size_t before = gc->mark_count;
     for (size_t i = 0; i < gc->tracing_count; i++) {
       vs_foreign *f = (vs_foreign *)(void *)gc->tracing[i];
@@ -710,8 +717,8 @@ void vs_gc_major(vs_scheme *vm) {
   for (size_t i = 0; i < gc->tracing_count; i++)
     if (gc->tracing[i]->gc & GC_MARK) gc->tracing[kept++] = gc->tracing[i];
   gc->tracing_count = kept;
-  /* The minor collection has emptied the remembered set, but a trace function may have stored addresses of young
-   * objects since. */
+  /* The minor collection has emptied the remembered set, but trace functions may have stored addresses of young objects
+   * in old objects since. */
   kept = 0;
   for (size_t i = 0; i < gc->remembered_count; i++)
     if (gc->remembered[i]->gc & GC_MARK) gc->remembered[kept++] = gc->remembered[i];
@@ -739,7 +746,7 @@ static void check_object(vs_scheme *vm, vs_object *o) {
       good = good && to->type < VS_T_COUNT && to->words >= 2;
     }
   }
-  if (!good) vm->gc->mark_lost = true;         /* mark_lost serves as the result of the check: true if the heap is
+  if (!good) vm->gc->mark_lost = true;         /* mark_lost serves as the result of this check: true if the heap is
                                                 * inconsistent */
 }
 

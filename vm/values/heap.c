@@ -83,8 +83,8 @@ bool vs_make_string(vs_scheme *vm, size_t length, uint32_t fill, vs_value *out) 
   return true;
 }
 
-/* Returns the code point at s[0..n), and sets *used to its number of bytes. For an invalid byte, returns U+FFFD and
- * sets *used to 1. n is not 0. */
+/* Returns the code point that begins at s, and sets *used to its number of bytes. s has n bytes; n is not 0. For an
+ * invalid byte, returns U+FFFD and sets *used to 1. */
 static uint32_t utf8_next(const unsigned char *s, size_t n, size_t *used) {
   VS_ASSERT(n > 0);
   *used = 1;

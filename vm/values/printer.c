@@ -3,9 +3,9 @@
  *
  * A walk with an explicit stack writes the text. Unless the mode is SIMPLE, the printer first finds the objects that
  * need a label. For write and display, only cycles need labels. The structure is then first walked as a tree, without
- * records of the objects, in at most as many steps as the heap can have objects. This suffices unless the structure has
- * cycles or much sharing, and needs no memory for a long list. Otherwise, a depth-first walk records the objects that
- * it enters again while they are open (in mode SHARED: that it enters twice). */
+ * recording its objects, in at most as many steps as the heap can have objects. This suffices unless the structure has
+ * cycles or much sharing, and needs no memory for a long list. Otherwise, a depth-first walk records the objects, and
+ * finds those that it enters again while they are open (in mode SHARED: that it enters twice). */
 #include "vm/values/printer.h"
 
 #include <utf8proc.h>
@@ -15,16 +15,16 @@
 
 typedef enum {
   ITEM,        /* task: print v */
-  TAIL,        /* task: print the rest v of a list whose parenthesis was printed */
+  TAIL,        /* task: print v, the remaining part of a list whose parenthesis was printed */
   CLOSE,       /* task: print ) */
-  SLOTS,       /* task: print elements of the vector, values or record v from number i on, then ) or > */
-  ENTRIES,     /* task: print entries of the table v from position i on, then ) */
+  SLOTS,       /* task: print the elements of the vector, values object or record v from number i on, then ) or > */
+  ENTRIES,     /* task: print the entries of the hash table v from position i on, then ) */
   DOT          /* task: print " . " */
 } print_step;
 
 typedef struct print_frame { uint8_t step; uint32_t i; vs_value v; } print_frame;
 
-/* Records of objects, in a hash table by address with open addressing. */
+/* A record about an object in the walk; these records are in a hash table by the object's address. */
 typedef struct print_note { const vs_object *object; int32_t label; } print_note;
 enum { NOTE_OPEN = -1, NOTE_DONE = -2, NOTE_WANTED = -3 };      /* special values of print_note.label; any other value
                                                                  * is the printed number of the label */
@@ -52,7 +52,7 @@ static bool push(printer *p, print_step step, vs_value v, uint32_t i) {
   return true;
 }
 
-/* Returns the slot of object o, or the free slot for it. The number of slots is a power of two. */
+/* Returns the slot that contains object o, or the free slot where it belongs. The number of slots is a power of two. */
 static print_note *note_slot(print_note *notes, size_t slots, const vs_object *o) {
   size_t i = (size_t)((uintptr_t)o * UINT64_C(0x9E3779B97F4A7C15) >> 20) & (slots - 1);
   VS_ASSERT(slots > 0 && (slots & (slots - 1)) == 0);
@@ -94,8 +94,8 @@ static bool is_compound(vs_value v) {
 
 static size_t record_fields(const vs_record *r) { return r->h.words - 2; }
 
-/* Returns true if the name begins with %, and thus belongs to the library. Records of such types are printed without
- * the fields with such names: they may contain the record's owner. */
+/* Returns true if the name begins with %, as internal names of the library do. Records of a type with such a name are
+ * printed without the fields with such names, which may contain the record's owner. */
 static bool is_inner_name(vs_value name) { return vs_is_symbol(name) && *vs_as_symbol(name)->name == '%'; }
 static bool is_hidden(const vs_record *r, uint32_t i) {
   const vs_record_type *type = vs_as_record_type(r->type);
@@ -134,7 +134,8 @@ static bool next_child(vs_value v, uint32_t *i, vs_value *child) {
       *child = vs_as_condition(v)->irritants;
       return true;
     case VS_T_TABLE: {
-      /* Of a table's children, even numbers are the keys and odd numbers the values: position i/2 of the entries. */
+      /* Children with even numbers are the keys of the table v, those with odd numbers its values. i/2 is the position
+       * of the entry. */
       uint32_t position = *i >> 1;
       const vs_table *t = vs_as_table(v);
       const vs_value *at = vs_as_vector(t->entries)->at;
@@ -150,7 +151,7 @@ static bool next_child(vs_value v, uint32_t *i, vs_value *child) {
   return false;
 }
 
-/* Sets *small if walking the structure as a tree ends within `budget` steps. */
+/* Sets *small to true if walking the structure as a tree ends within `budget` steps. */
 static bool walk_tree(printer *p, vs_value v, size_t budget, bool *small) {
   size_t steps = 0;
   *small = false;
@@ -163,7 +164,7 @@ static bool walk_tree(printer *p, vs_value v, size_t budget, bool *small) {
     if (!next_child(f->v, &f->i, &child)) {
       p->count--;
     } else if (is_compound(child)) {
-      /* The cdr takes the place of the pair on the stack, so that long lists need no memory. */
+      /* The pair's cdr replaces the pair on the stack, so that long lists need no memory. */
       if (vs_object_of(f->v)->type == VS_T_PAIR && f->i == 2) *f = (print_frame){ITEM, 0, child};
       else if (!push(p, ITEM, child, 0)) return false;
     }
@@ -203,7 +204,7 @@ static const struct { uint32_t c; const char *name;
   { 0x7F, "delete" }, { 0x1B, "escape" },  { 8, "backspace" }, { 7, "alarm" },
 };
 
-/* Returns false for control characters, unassigned code points and marks, which are printed as numbers. */
+/* Returns false for characters that are printed as numbers: control characters, unassigned code points and marks. */
 static bool is_visible(uint32_t c) {
   if (c < 0x20 || (c >= 0x7F && c < 0xA0)) return false;
   if (c < 0x7F) return true;
@@ -272,7 +273,7 @@ static bool same_letters(const char *s, const char *lower, size_t n) {
   return true;
 }
 
-/* Returns true if the name has the syntax of a number, here or in other Schemes (+i). */
+/* Returns true if a symbol's name has the syntax of a number, in VisualScheme or in other Schemes (+i). */
 static bool spells_number(const char *s, size_t n) {
   bool sign = *s == '+' || *s == '-';
   if (sign && n == 2 && (s[1] | 32) == 'i') return true;
@@ -382,7 +383,7 @@ static bool put_atom(printer *p, vs_value v) {
     case VS_T_SYMBOL: return put_symbol(t, v, written);
     case VS_T_BYTES: return put_bytes(t, v);
     case VS_T_FLAT: return put_flat(p->vm, t, v);
-    case VS_T_DUAL: /* a dual number is printed without its derivative, since users print numbers to follow a program */
+    case VS_T_DUAL: /* a dual number is printed without its derivative: users print numbers to follow a program */
       return vs_text_puts(t, "#<dual ") && put_atom(p, vs_dual_base(v)) && vs_text_puts(t, ">");
     case VS_T_CLOSURE: return put_opaque(t, "procedure", vs_as_code(vs_as_closure(v)->code)->name);
     case VS_T_CASE: {
@@ -415,7 +416,7 @@ static bool put_atom(printer *p, vs_value v) {
 
 /* ---- printing compound data ---- */
 
-/* Returns the abbreviation for (quote x) and the like, or NULL. (unquote @x) has none, since ,@x means
+/* Returns the abbreviation ' for (quote x), and similar ones, or NULL. (unquote @x) has none, since ,@x means
  * (unquote-splicing x). */
 static const char *abbreviation(const vs_scheme *vm, vs_value v) {
   if (!vs_is_pair(v) || !vs_is_pair(vs_cdr(v)) || vs_cdr(vs_cdr(v)) != VS_NIL) return NULL;
@@ -526,8 +527,8 @@ static bool print_compound(printer *p, vs_value v) {
       case ENTRIES: ok = step_entries(p, f); break;
       case DOT: ok = vs_text_put(p->t, " . ", 3); break;
     }
-    if ((steps & 1023) == 0) ok = ok && vs_poll(p->vm, 64 * 1024);         /* printing a number takes half a
-                                                                            * microsecond */
+    if ((steps & 1023) == 0) ok = ok && vs_poll(p->vm, 64 * 1024);         /* polls every 1024 steps; printing a number
+                                                                            * takes about half a microsecond */
   }
   return ok;
 }
@@ -543,7 +544,7 @@ bool vs_print(vs_scheme *vm, vs_value v, vs_print_mode mode, vs_text *t) {
 
 /* ---- printing errors ---- */
 
-/* Appends a value to a message, cut after 240 bytes. */
+/* Appends a value to a message, shortened to 240 bytes. */
 static bool put_brief(vs_scheme *vm, vs_value v, vs_text *t) {
   vs_text brief;
   vs_text_open(vm, &brief, 240);

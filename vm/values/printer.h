@@ -6,13 +6,13 @@
 #include "vm/values/text.h"
 
 typedef enum {
-  VS_PRINT_DISPLAY,      /* strings and characters without quotes; labels only for cycles */
-  VS_PRINT_WRITE,        /* can be read again; labels only for cycles */
-  VS_PRINT_SIMPLE,       /* can be read again; no labels, so that a cycle is printed until a limit is reached */
-  VS_PRINT_SHARED        /* can be read again; labels for all shared objects */
+  VS_PRINT_DISPLAY,      /* text as by display: strings and characters without quotes; labels only for cycles */
+  VS_PRINT_WRITE,        /* text that can be read again; labels only for cycles */
+  VS_PRINT_SIMPLE,       /* text that can be read again; no labels, so that printing a cycle ends only at a limit */
+  VS_PRINT_SHARED        /* text that can be read again; labels for all shared objects */
 } vs_print_mode;
 
-/* Appends v to t. Deep structures need no C stack, and a list of a million elements needs no memory beyond its text. */
+/* Appends v to t. Deep structures need no C stack, and a list of a million elements needs no memory except its text. */
 bool vs_print(vs_scheme *vm, vs_value v, vs_print_mode mode, vs_text *t);
 
 /* Appends the message and irritants of a CONDITION ("car: expected a pair, got 5"). For any other object, appends

@@ -4,7 +4,7 @@
 
 #include "vm/machine/native.h"
 
-/* Returns character k, a code point. */
+/* Returns the code point of character k of the string s. */
 static inline uint32_t vs_string_at(vs_value s, size_t k) {
   const uint8_t *at = vs_as_bytes(vs_as_string(s)->store)->at;
   uint32_t c;
@@ -14,8 +14,8 @@ static inline uint32_t vs_string_at(vs_value s, size_t k) {
   return c;
 }
 
-/* Sets character k to the code point c. The string must be wide enough for c: vs_make_string was called with such a
- * fill, or vs_string_set has converted the string. */
+/* Sets character k of the string s to the code point c. The string must be wide enough for c: the fill of
+ * vs_make_string needed as many bytes, or vs_string_set has converted the string. */
 static inline void vs_string_put(vs_value s, size_t k, uint32_t c) {
   uint8_t *at = vs_as_bytes(vs_as_string(s)->store)->at;
   VS_ASSERT(k < vs_as_string(s)->length);

@@ -22,8 +22,8 @@ static uint64_t table_hash(vs_scheme *vm, const vs_table *t, vs_value key) {
 }
 static uint32_t hash_home(uint64_t stored, uint32_t mask) { return (uint32_t)(stored >> 1) & mask; }
 
-/* Adds the entry with this stored hash to the index, which has room. mask is the size of the index, a power of two,
- * minus 1. */
+/* Adds entry number `entry` with the hash `stored` to the index, which has room. mask: number of slots of the index, a
+ * power of two, minus 1. */
 static void index_place(uint32_t *index, uint32_t mask, vs_value stored, uint32_t entry) {
   uint32_t i = hash_home((uint64_t)vs_fixnum(stored), mask);
   VS_ASSERT((mask & (mask + 1)) == 0);
@@ -36,7 +36,7 @@ static void table_place(vs_table *t, uint32_t entry) {
   index_place(table_index(t), table_mask(t), table_entries(t)->at[entry * 3 + 2], entry);
 }
 
-/* Frees slot i of the index, which is in use. Moves back later entries that a search would no longer find. */
+/* Frees slot i of the index, which is in use. Moves back later slots that a search would no longer reach. */
 static void table_unplace(vs_table *t, uint32_t i) {
   uint32_t *index = table_index(t), mask = table_mask(t);
   VS_ASSERT(i <= mask && index[i] != 0);
@@ -70,8 +70,8 @@ static void table_sync(vs_scheme *vm, vs_table *t) {
   t->epoch = vm->collections;
 }
 
-/* Sets *entry to the number of the entry with this key, or to -1, and *slot to its position in the index. Returns false
- * if memory runs out during a comparison. */
+/* Sets *entry to the number of the entry with this key, or to -1 if there is none, and *slot to its position in the
+ * index. Returns false if memory runs out during a comparison. */
 static bool table_find(vs_scheme *vm, vs_table *t, vs_value key, uint64_t hash, int64_t *entry, uint32_t *slot) {
   uint32_t *index = table_index(t), mask = table_mask(t);
   vs_value *at = table_entries(t)->at;
@@ -103,8 +103,8 @@ bool vs_make_table(vs_scheme *vm, uint32_t kind, vs_value *out) {
   return true;
 }
 
-/* Makes room for another entry. If many entries were removed, compacts the table instead. `table` points to a root of
- * the garbage collector. Returns false when memory is out. */
+/* Makes room for another entry of the table. If many entries were removed, closes the gaps instead of growing. `table`
+ * points to a root of the garbage collector. Returns false when memory is out. */
 static bool table_reserve(vs_scheme *vm, const vs_value *table) {
   vs_table *t = vs_as_table(*table);
   uint32_t room = (uint32_t)(table_entries(t)->length / 3);
@@ -124,8 +124,8 @@ static bool table_reserve(vs_scheme *vm, const vs_value *table) {
     for (uint32_t k = 0; k < 3; k++) vs_gc_store(vm, to, &to->at[n * 3 + k], from->at[e * 3 + k]);
     index_place(index, mask, to->at[n * 3 + 2], n);
     n++;
-    if (!vs_poll_turn(vm, e, 8)) return false;      /* polls before the table is changed, so that an interrupt leaves it
-                                                     * unchanged */
+    if (!vs_poll_turn(vm, e, 8)) return false;      /* polls before it changes the table, so that an interrupt leaves
+                                                     * the table unchanged */
   }
   vs_gc_store(vm, t, &t->entries, r[0]);
   vs_gc_store(vm, t, &t->index, r[1]);

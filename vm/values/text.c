@@ -17,7 +17,7 @@ void vs_text_close(vs_text *t) {
   t->count = t->room = 0;
 }
 
-/* Makes room for n more bytes. Returns false when memory is out. */
+/* Makes room for n more bytes in the buffer. Returns false when memory is out. */
 static bool text_reserve(vs_text *t, size_t n) {
   VS_ASSERT(t->count <= t->room);
   if (t->room - t->count >= n) return true;
@@ -35,8 +35,7 @@ bool vs_text_put(vs_text *t, const char *bytes, size_t n) {
   if (t->limit && t->count + n > t->limit) {
     t->cut = true;
     n = t->count < t->limit ? t->limit - t->count : 0;
-    while (n && ((unsigned char)bytes[n] & 0xC0) == 0x80) n--;      /* moves the cut to a limit between two
-                                                                     * characters */
+    while (n && ((unsigned char)bytes[n] & 0xC0) == 0x80) n--;      /* does not cut a character into two parts */
   }
   if (!n) return true;
   if (!text_reserve(t, n)) return false;

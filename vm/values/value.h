@@ -39,11 +39,11 @@ typedef uint64_t vs_value;
 #define VS_FALSE       VS_IMMEDIATE(0, 0)
 #define VS_TRUE        VS_IMMEDIATE(0, 1)
 #define VS_NIL         VS_IMMEDIATE(1, 0)
-#define VS_UNSPECIFIC  VS_IMMEDIATE(2, 0)   /* value of (if #f #f) and set!; a prompt prints nothing for it */
+#define VS_UNSPECIFIC  VS_IMMEDIATE(2, 0)   /* value of (if #f #f) and set!; the prompt does not print it */
 #define VS_EOF         VS_IMMEDIATE(3, 0)
 #define VS_ABSENT      VS_IMMEDIATE(4, 0)   /* an optional or keyword argument that was not given; never visible to
                                              * programs */
-#define VS_UNDEFINED   VS_IMMEDIATE(5, 0)   /* marks a variable that has no value yet (letrec, an undefined global
+#define VS_UNDEFINED   VS_IMMEDIATE(5, 0)   /* marks a variable that has no value yet (in letrec, or an undefined global
                                              * variable) */
 #define VS_VACANT      VS_IMMEDIATE(6, 0)   /* in hash tables: key of a free slot or a removed entry */
 #define VS_CHAR(c)     VS_IMMEDIATE(7, (uint32_t)(c))
@@ -58,26 +58,26 @@ static inline uint32_t vs_char(vs_value v) {
 }
 
 static inline bool vs_is_double(vs_value v) { return v < (VS_TAG_FIXNUM << 48); }
-/* Returns the double of v. */
+/* Returns the double that v represents. */
 static inline double vs_double(vs_value v) {
   double d;
   VS_ASSERT(vs_is_double(v));
   memcpy(&d, &v, sizeof d);
   return d;
 }
-/* Returns the value of a double that is no NaN, or is the canonical NaN. The interpreter's own arithmetic returns only
- * such doubles. */
+/* Returns the value that represents d, where d is no NaN or is the canonical NaN. The interpreter's own arithmetic
+ * returns only such doubles. */
 static inline vs_value vs_flonum_raw(double d) { vs_value v; memcpy(&v, &d, sizeof v); return v; }
-/* Returns the value of any double; every NaN becomes the canonical NaN. */
+/* Returns the value that represents any double d; every NaN becomes the canonical NaN. */
 static inline vs_value vs_flonum(double d) { return d == d ? vs_flonum_raw(d) : UINT64_C(0x7FF8000000000000); }
 
 static inline bool vs_is_fixnum(vs_value v) { return (v >> 48) == VS_TAG_FIXNUM; }
-/* Returns the integer of a fixnum. */
+/* Returns the integer that the fixnum v represents. */
 static inline int64_t vs_fixnum(vs_value v) {
   VS_ASSERT(vs_is_fixnum(v));
   return (int64_t)(v << 16) >> 16;
 }
-/* Returns the fixnum of n, which must be in range; n may also be a position or hash of 48 bits. */
+/* Returns the fixnum that represents n, which must fit 48 bits; n may also be a source position or hash of 48 bits. */
 static inline vs_value vs_fix(int64_t n) {
   VS_ASSERT(n >= VS_FIXNUM_MIN && n <= (int64_t)VS_PAYLOAD);
   return (VS_TAG_FIXNUM << 48) | ((uint64_t)n & VS_PAYLOAD);
@@ -100,20 +100,20 @@ typedef struct vs_object {
 } vs_object;
 
 enum {                          /* values of vs_object.flags */
-  VS_F_IMMUTABLE  = 1,          /* literals of a program: strings, vectors, bytes and pairs that the program must not
+  VS_F_IMMUTABLE  = 1,          /* a literal of a program (string, vector, bytes, pair), which the program must not
                                  * change */
   VS_F_LOCATED    = 2,          /* pair: it has a fourth word, its place in the source (vs_pos) */
-  VS_F_SQUARE     = 4,          /* pair: it was read from [ ]; for messages and for printing sources */
-  VS_F_WIDE       = 4,          /* string: each character has 4 bytes; else 1 byte (Latin-1) */
-  VS_F_CONSTANT   = 4,          /* cell of a global variable: imported or registered, and never assigned, so that the
-                                 * compiler may inline calls */
+  VS_F_SQUARE     = 4,          /* pair: it was written with [ ]; for messages and for printing sources */
+  VS_F_WIDE       = 4,          /* string: each character has 4 bytes; without the flag 1 byte (Latin-1) */
+  VS_F_CONSTANT   = 4,          /* cell of a global variable: the variable is imported or registered, and never
+                                 * assigned, so that the compiler may replace its calls by instructions */
   VS_F_UNINTERNED = 4,          /* symbol: created by generate-uninterned-symbol */
   VS_F_LOCAL      = 8,          /* symbol, alias: a local scope has bound it */
   VS_F_ASSIGNED   = 8,          /* cell of a global variable: assigned by a set! in its own library or program, so that
                                  * importers share the cell */
   VS_F_AROUND     = 4,          /* environment: it is a scope that contains other scopes */
   VS_F_NEGATIVE   = 4,          /* bignum: it is negative */
-  VS_F_MARKED     = 4           /* closure: marked by the layers above vm/ (a rule or operator) */
+  VS_F_MARKED     = 4           /* closure: marked by the layers above vm/ as a rule or operator */
 };
 
 static inline bool vs_is_object(vs_value v) { return (v >> 48) == VS_TAG_POINTER; }
@@ -129,9 +129,9 @@ static inline vs_value vs_from_object(const void *o) {
 }
 static inline bool vs_is(vs_value v, int type) { return vs_is_object(v) && vs_object_of(v)->type == type; }
 
-/* A position in a source file. It has 48 bits, and thus fits a fixnum (vs_fix(pos), and back with vs_pos_of): file
- * number (vm->at.files) 12 bits, line 22 bits, column 14 bits. Larger numbers are replaced by the greatest that fits.
- * Lines and columns count from 1; 0 is unknown. Columns count characters. */
+/* A position in a source file, in 48 bits, so that it fits a fixnum (vs_fix(pos), and back with vs_pos_of): file number
+ * (vm->at.files) 12 bits, line 22 bits, column 14 bits. Larger numbers are replaced by the greatest that fits. Lines
+ * and columns are counted from 1; 0 means unknown. Columns count characters. */
 typedef uint64_t vs_pos;
 static inline vs_pos vs_pos_make(uint32_t file, uint32_t line, uint32_t col) {
   if (file > 0xFFF) file = 0;
@@ -171,12 +171,14 @@ typedef struct { vs_object h; vs_value num, den; } vs_ratio;     /* a ratio in l
 typedef struct {
   vs_object h;
   vs_value name;        /* name of the procedure, a symbol or #f */
-  vs_value consts;      /* vector in the old space: cells, literals, nested code, keyword lists */
+  vs_value consts;      /* vector in the old space with the code's constants: cells, literals, nested code, keyword
+                         * lists */
   vs_value ins;         /* BYTES of 32-bit instructions, in the old space */
   vs_value places;      /* places of the instructions (code.h): BYTES, or one place as a fixnum */
   vs_value inlined;     /* BYTES of pairs {u32 pc, u32 constant}, sorted by pc: the instruction at pc replaces a call of
-                         * the procedure in the cell with this constant index */
-  vs_value params;      /* vector of symbols for messages: required, optional, keyword and rest parameters */
+                         * a procedure, whose cell has the index `constant` in `consts` */
+  vs_value params;      /* vector of the parameters' names for messages, as symbols: required, optional, keyword and
+                         * rest parameters */
   vs_value doc;         /* documentation that the program attached, or #f */
   uint32_t required, optional, keywords, registers;
   uint32_t flags;       /* flags VS_CODE_... */
@@ -184,12 +186,12 @@ typedef struct {
 } vs_code;
 enum {
   VS_CODE_REST = 1,
-  VS_CODE_SIMPLE = 2,           /* the procedure has only required parameters, and none of the flags below */
-  VS_CODE_GET = 4,              /* accessor or modifier of a field, created by define-record-type */
+  VS_CODE_SIMPLE = 2,           /* the procedure has only required parameters and no other flag */
+  VS_CODE_GET = 4,              /* the procedure returns or sets a record's field; created by define-record-type */
   VS_CODE_SET = 8,
-  VS_CODE_TEST = 16,            /* predicate created by define-record-type */
-  VS_CODE_MAKE = 32,            /* constructor created by define-record-type; procedures with the flags GET, TEST or
-                                 * MAKE run without an activation (record_call.h) */
+  VS_CODE_TEST = 16,            /* the procedure tests the type of a record; created by define-record-type */
+  VS_CODE_MAKE = 32,            /* the procedure creates a record; created by define-record-type. Procedures with the
+                                 * flags GET, TEST or MAKE run without an activation (record_call.h) */
   VS_CODE_RECORD = VS_CODE_GET | VS_CODE_SET | VS_CODE_TEST | VS_CODE_MAKE
 };
 
@@ -200,8 +202,8 @@ typedef struct { vs_object h; uint64_t count; vs_value clause[]; } vs_case;
 static inline vs_value vs_case_note(const vs_case *c) {
   return c->h.words > 2 + c->count ? c->clause[c->count] : VS_FALSE;
 }
-/* A procedure in C. `max` is UINT32_MAX if it has a rest parameter. `keywords` is a vector of symbols, or #f. `inlined`
- * is the row of inline.def, and `inlined_arg` its argument. */
+/* A procedure in C. `max`: greatest number of arguments, UINT32_MAX if it has a rest parameter. `keywords` is a vector
+ * of symbols, or #f. `inlined`: row of inline.def, or 0; `inlined_arg`: argument of this row. */
 typedef struct {
   vs_object h;
   const struct vs_native_def *def;
@@ -210,14 +212,14 @@ typedef struct {
   uint32_t inlined, inlined_arg;
 } vs_native;
 
-/* A global variable. `users` lists the code in which instructions have replaced calls of its value while it was
- * VS_F_CONSTANT; a redefinition patches that code. */
+/* A global variable. `users` is a list of code objects. In this code, instructions have replaced calls of the
+ * variable's value while it was VS_F_CONSTANT; a redefinition restores these calls. */
 typedef struct { vs_object h; vs_value value, name, users; } vs_cell;
 typedef struct { vs_object h; vs_value value; } vs_box;
 typedef struct { vs_object h; uint64_t count; vs_value at[]; } vs_values;      /* several values of one expression;
                                                                                 * count is never 1 */
 
-typedef struct { vs_object h; vs_value name, fields /* fields: vector of symbols */, parent, data; } vs_record_type;
+typedef struct { vs_object h; vs_value name, fields /* fields: vector of the fields' names, as symbols */, parent, data; } vs_record_type;
 typedef struct { vs_object h; vs_value type; vs_value at[]; } vs_record;
 
 /* An immutable record of at most 16 doubles (flat.h). h.flags is its tag. */
@@ -236,8 +238,8 @@ typedef struct { vs_object h; vs_value level /* level: a fixnum */, value, slope
 typedef struct {
   vs_object h;
   vs_value entries, index;
-  uint32_t count, used;          /* count: number of entries; used: number of entries and removed entries in
-                                  * `entries` */
+  uint32_t count, used;          /* count: number of entries; used: number of entries in `entries`, including removed
+                                  * ones */
   uint32_t kind, young;          /* kind: VS_TABLE_... */
   uint64_t epoch;
 } vs_table;
@@ -255,20 +257,21 @@ typedef struct {
 
 typedef struct {
   vs_object h;
-  vs_value done /* done: #t or #f */, value /* value: the result, or a thunk */;
-} vs_promise; /* promises that have the same result share it through a box */
+  vs_value done /* done: #t, #f or VS_ABSENT; determines the kind of `value` */, value /* value: for done = #t the result, for #f a thunk, for VS_ABSENT another
+                                             * promise with the same result */;
+} vs_promise;
 typedef struct { vs_object h; vs_value value, converter, name; } vs_parameter;
 
 /* An error of the system or of (error ...). It is printed as MESSAGE IRRITANT ...: "make-sphere: r must be positive,
  * got" (-2). `chain` is a list of (procedure name . place as a fixnum), innermost first. `place` is the place of the
  * failing call. `kind` is a symbol, `message` a string. */
 typedef struct { vs_object h; vs_value kind, message, irritants /* irritants: a list */, chain, payload,
-    calls /* calls with their variables (activation.c), or #f */; vs_pos place; } vs_condition;
+    calls /* calls: the running calls with their variables (activation.c), or #f */; vs_pos place; } vs_condition;
 
 /* Captured activations, immutable. `at` is a copy of a part of the stack; `under` is the STACK object with the part
  * below it, up to its slot `depth`. */
 typedef struct { vs_object h; vs_value under; uint64_t depth, count,
-    total /* number of slots, including those of all parts below */; vs_value at[]; } vs_stack;
+    total /* total: number of slots, including those of all STACK objects below */; vs_value at[]; } vs_stack;
 /* A continuation. `ret` is the return information of the activation to which it returns (activation.h). */
 typedef struct {
   vs_object h;
@@ -283,12 +286,12 @@ typedef struct { vs_object h; vs_value kind, transformer, env, data; } vs_macro;
 typedef struct { vs_object h; vs_value name, env, data; uint64_t mark; } vs_alias;      /* an alias: a renamed
                                                                                          * identifier */
 
-/* A constant that describes a call with keywords: these are the names of its last `count` arguments. */
+/* A constant that describes a call with keywords. name[]: the names of the call's last `count` arguments. */
 typedef struct { vs_object h; uint64_t count; vs_value name[]; } vs_keywords;
 
-/* A reference to an object of the host. `type` has the functions on it (native.h); its release(object) is called when
- * the reference dies. `with` is for the owner, and NULL at first. h.flags encodes the bytes that the object adds to the
- * collector's budget (gc.c). */
+/* A reference to an object of the host. `type` has the functions for the object (native.h); its release(object) is
+ * called when the reference dies. `with` is for the host, and NULL at first. h.flags encodes the number of bytes that
+ * the object adds to the garbage collector's budget (gc.c). */
 typedef struct { vs_object h; const struct vs_foreign_type *type; void *object; const void *with; } vs_foreign;
 
 /* ---- access to objects; the caller must have tested the type ---- */
