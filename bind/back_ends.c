@@ -1,6 +1,6 @@
-/* Implements back-ends (export formats) that programs define: the list of them, and the drawing as a Scheme value. The
- * session searches the list and calls a back-end's procedure as a separate evaluation. back_ends.scm contains the
- * Scheme part. */
+/* Implements back-ends (export formats) that programs define: the list of these back-ends, and the drawing as a Scheme
+ * value. The session searches the list and calls a back-end's procedure as a separate evaluation. back_ends.scm
+ * contains the Scheme part. */
 #include "bind/back_ends.h"
 
 #include "bind/build.h"
@@ -65,7 +65,7 @@ static vs_status lower_triangles(vs_args *f, const vs_fineness *facets, vs_node 
 vs_status vs_p_lowered(vs_args *f, vs_value *out) {
   vs_error e = { 0 };
   vs_bounds bounds;
-  /* Whether the object contains a shadow or a similar node, whose outline must be computed before its triangles. */
+  /* Whether the object contains a shadow or a similar node, whose shape must be computed before its triangles. */
   bool worked_out = (f->arg[0].ref.node->flags & VS_NODE_UNRESOLVED) != 0;
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
   const vs_node *n = f->arg[0].ref.node;
@@ -133,8 +133,8 @@ vs_status vs_p_back_end(vs_args *f, vs_value *out) {
 
 /* ---- calling a back-end's Scheme procedure ---- */
 
-enum { HOST_WRITE = 3 }; /* index in at.host: the place where back_ends.scm stores its procedure when the first back-end
-                          * is defined */
+enum { HOST_WRITE = 3 }; /* index in vm->at.host at which back_ends.scm stores its procedure when the program defines
+                          * its first back-end */
 
 bool vs_bind_back_end_write(vs_bind *b, const char *name, const vs_ref *refs, size_t count, char **text,
                             size_t *bytes) {

@@ -11,12 +11,13 @@
 #include "model/kinds.h"
 #include "vm/values/heap.h"
 
-/* Greatest permitted length in model units. Its third power, even after a scaling by placements, must not overflow. */
+/* Greatest permitted length in model units. The third power of a length, even after placements have scaled it, must not
+ * overflow. */
 static const double LARGEST = 1e60;
 static bool too_large(double d) { return !(fabs(d) <= LARGEST); }
 
-/* Returns the name of a field in the node's data with a number above LARGEST, or NULL. Angles are also tested: none is
- * that large in practice. */
+/* Returns the name of a field in the node's data that contains a number above LARGEST, or NULL. Angles are also tested:
+ * no useful angle is that large. */
 static const char *largest_field(vs_kind kind, const void *data) {
   const vs_kind_info *k = vs_kind_get(kind);
   if (vs_kind_within(kind, data, LARGEST)) return NULL;
@@ -65,8 +66,8 @@ vs_status vs_bind_each_part(vs_args *f, vs_procedure_fn *one, vs_value *out) {
   size_t count, made = 0;
   vs_status status = VS_OK;
   if (!vs_several_parts(whole, &parts, &count)) return vs_bind_give_node(f, NULL, out);
-  for (; status == VS_OK && made < count; made++) { /* gives each result the origin of the part from which it was
-                                                     * made */
+  for (; status == VS_OK && made < count; made++) { /* the result of each part gets the part's origin (the place of its
+                                                     * constructor's call) */
     f->arg[0].ref = parts[made];
     status = one(f, out);
     if (status != VS_OK) break;
@@ -95,7 +96,7 @@ static bool is_large(const vs_bind_param *p, const vs_arg *a) {
   return false;
 }
 
-/* Returns the name of an argument of the call with a number above LARGEST, or NULL. */
+/* Returns the name of an argument of the call that contains a number above LARGEST, or NULL. */
 static const char *large_argument(const vs_args *f) {
   const vs_bind_param *p = f->procedure->form[f->form].at, *key = f->procedure->key;
   for (int i = 0; i < f->count && p[i].mode != VS_ARG_END; i++)
@@ -120,7 +121,7 @@ vs_status vs_bind_empty(vs_args *f, const char *why, vs_value *out) {
 
 /* Computes the axes of a figure in the plane. *u, the figure's X, is horizontal and points towards +X, or towards +Y if
  * it is perpendicular to X. *v, the figure's Y, points upwards. In a horizontal plane *u and *v are X and Y. A figure
- * in 'xz therefore looks from the front as the figure in XY looks from above. */
+ * in the plane 'xz therefore looks from the front as a figure in the plane XY looks from above. */
 static void plane_directions(vs_vec3 normal, vs_vec3 *u, vs_vec3 *v) {
   vs_vec3 n = vs_v3_unit(normal), up = vs_v3(0, 0, 1);
   *u = vs_v3(1, 0, 0), *v = vs_v3(0, 1, 0);
@@ -145,7 +146,7 @@ vs_status vs_bind_stand(vs_args *f, const vs_arg *plane, vs_value *out) {
   return vs_bind_make(f, VS_TRANSFORM, &(struct vs_transform){ .matrix = m }, &ref, 1, out);
 }
 
-/* (%stand object plane): moves a figure of geometry.scm from XY into the plane. */
+/* (%stand object plane): moves a figure, which geometry.scm has created in the plane XY, into `plane`. */
 vs_status vs_p_stand(vs_args *f, vs_value *out) {
   *out = f->arg[0].value;
   return vs_bind_stand(f, &f->arg[1], out);

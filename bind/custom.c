@@ -1,9 +1,9 @@
 /* Implements objects of kinds that users define: their nodes and numbers, nodes with replaced children, and the calls
  * of drawing functions.
  *
- * The number of such an object identifies its arguments on the Scheme side. All nodes with the same number share a
+ * The number of such an object identifies its arguments on the Scheme side. All nodes with the same number have one
  * ticket, which counts them. When the last of these nodes is released, the number is added to a list. primitives.scm
- * reads this list, and deletes the arguments of those objects. */
+ * reads this list, and deletes the arguments of the objects with these numbers. */
 #include "bind/custom.h"
 
 #include "bind/build.h"
@@ -29,7 +29,7 @@ static bool tickets_grow(vs_bind *b, size_t need) {
   if (!tickets) return false;
   b->tickets = tickets;
   uint32_t *gone = vs_store_realloc(b->store, b->gone, old * sizeof *gone, room * sizeof *gone);
-  if (!gone) { /* the second array could not grow: `tickets` is shrunk again, so that both arrays have the same size */
+  if (!gone) { /* gives `tickets` its old size again, so that both arrays have the same size */
     vs_ticket **less = vs_store_realloc(b->store, tickets, room * sizeof *tickets, old ? old * sizeof *tickets : 0);
     b->tickets = less;
     return false;
@@ -54,15 +54,16 @@ vs_status vs_p_custom_new(vs_args *f, vs_value *out) {
   b->tickets[number] = t;
   d.values = t;
   vs_node *n = vs_node_new(b->store, VS_CUSTOM, &d, child.node ? &child : NULL, child.node ? 1 : 0);
-  if (fresh) vs_ticket_release(b->store, t); /* releases this reference: if the node was created, it keeps the ticket
+  if (fresh) vs_ticket_release(b->store, t); /* releases this function's reference; a created node keeps the ticket
                                               * alive */
   return vs_bind_give_node(f, n, out);
 }
 
-/* Returns the number of an object whose last node was released, or #f if there is none. */
+/* Returns the number of an object whose last node was released, or #f if there is none. Each number is returned
+ * once. */
 vs_status vs_p_custom_gone(vs_args *f, vs_value *out) {
   vs_bind *b = f->bind;
-  /* Skips numbers that new nodes use again. */
+  /* Skips released numbers that new nodes have again. */
   while (b->gone_count && b->tickets[b->gone[b->gone_count - 1]]) b->gone_count--;
   *out = b->gone_count ? vs_fix(b->gone[--b->gone_count]) : VS_FALSE;
   return VS_OK;
@@ -99,7 +100,8 @@ static const char *class_noun(const vs_node *n) {
 }
 
 /* Returns a node of the kind of argument 0 with other children, which get the origins of the old children. Placements,
- * wrappers and unions accept any children. Other operations require children of the old children's classes. */
+ * wrappers and unions accept any children. For other operations, the new children must have the same classes as the old
+ * ones. */
 vs_status vs_p_object_with(vs_args *f, vs_value *out) {
   const vs_ref *o = &f->arg[0].ref, *kids = f->arg[1].refs.at;
   const vs_node *n = o->node;
@@ -140,8 +142,8 @@ vs_status vs_p_is_format(vs_args *f, vs_value *out) {
 
 /* ---- calling drawing functions ---- */
 
-enum { HOST_HAND_ON = 2 }; /* index in at.host: the place where primitives.scm stores its procedure when a drawing
-                            * function is first registered */
+enum { HOST_HAND_ON = 2 }; /* index in vm->at.host at which primitives.scm stores its procedure when the program
+                            * registers its first drawing function */
 
 bool vs_bind_hands_on(const vs_bind *b) {
   vs_value all = b->vm->at.host;

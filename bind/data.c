@@ -1,7 +1,7 @@
 /* Reads data files for programs: texts, the names in a folder, JSON. bind/data.scm reads CSV.
  *
- * A relative name begins at the folder of the program's file, as in load-mesh. The VM's host (vs_io) reads the files,
- * so that its restrictions apply. The library jansson, which parses JSON, is loaded when it is first used. */
+ * A relative name begins at the folder of the program's file, as in load-mesh. The host's functions (vs_io) read the
+ * files, so that its restrictions apply. The library jansson, which parses JSON, is loaded when it is first used. */
 
 #include "bind/data.h"
 
@@ -18,7 +18,8 @@
 #include "vm/numbers/integer.h"
 #include "vm/values/heap.h"
 
-/* Returns the number of the file that contains the innermost call outside of the language's own libraries, or 0. */
+/* Returns the number of the source file that contains the innermost call outside of the language's own libraries, or
+ * 0. */
 static uint32_t calling_file(vs_scheme *vm) {
   enum { FAR = 64 };
   vs_pos place[FAR];
@@ -28,13 +29,13 @@ static uint32_t calling_file(vs_scheme *vm) {
   return 0;
 }
 
-/* Sets *path to the path of the file named by a[0], ending in a NUL. Returns false if a[0] is no string or memory is
- * out. */
+/* Sets *path to the path of the file with the name a[0], ending in a NUL. Returns false if a[0] is no string or memory
+ * is out. */
 static bool path_of(vs_scheme *vm, vs_value *a, vs_text *path) {
   return vs_arg_type(vm, a, 0, VS_T_STRING) && vs_source_path(vm, a[0], calling_file(vm), path) && vs_text_end(path);
 }
 
-/* (%data-path name): returns the path of the file that a program names. */
+/* (%data-path name): returns the path of the file with this name, as the program would read it. */
 static vs_status data_path(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   vs_text path;
@@ -85,8 +86,8 @@ static vs_status directory_files(vs_scheme *vm, vs_value *a, int n, vs_value *ou
   bool listed = ok && io && io->list && io->list(vm->config.user, path.at, take_name, &l, &why);
   vs_text_close(&path);
   if (ok && !listed) {
-    if (!why && io && io->list) return VS_ERROR; /* listing has not failed (why is NULL), but memory is out: the error
-                                                  * is set */
+    if (!why && io && io->list) return VS_ERROR; /* why is NULL: listing the folder has not failed, but memory is out,
+                                                  * and the error is set */
     return vs_cons(vm, a[0], VS_NIL, &r[0]) &&
            vs_fail_with(vm, vm->sym.file, r[0], "cannot read the folder (%s)", why ? why : "not available here");
   }
@@ -111,9 +112,9 @@ static vs_status directory_files(vs_scheme *vm, vs_value *a, int n, vs_value *ou
 
 VS_DYNAMIC_FUNCTIONS(JANSSON_FUNCTIONS);
 
-/* An array or object that is being converted, and its next element (index) or next member (iterator). Its Scheme value
- * is an element of the list `containers` of take_json, at the same depth. For an array, the value is a vector. For an
- * object, it is the part of the association list whose members have no value yet. */
+/* An array or object of JSON that is being converted. index: number of the array's next element; iterator: the object's
+ * next member. The Scheme value is an element of the list `containers` of take_json, at the same depth. For an array,
+ * it is a vector. For an object, it is the part of the association list whose members have no value yet. */
 typedef struct { json_t *node; void *iterator; size_t index; } level;
 
 /* Converts one node of JSON without its contents. An array becomes a vector of the same length, whose elements are set
@@ -205,8 +206,8 @@ static vs_status json_parse(vs_scheme *vm, const char *text, size_t length, cons
     return vs_fail(vm, vm->sym.error, "%s:%d:%d: %s", name, wrong.line > 0 ? wrong.line : 1,
                    wrong.column > 0 ? wrong.column : 1, wrong.text);
   bool ok = take_json(vm, &j, root, out);
-  /* does by hand the work of json_decref, an inline function of jansson; calling it would require jansson when the
-   * program is linked */
+  /* does the work of json_decref, an inline function of jansson: calling it would require jansson when the program is
+   * linked */
   if (root->refcount != (size_t)-1 && --root->refcount == 0) j.discard(root);
   return ok;
 }
@@ -242,7 +243,7 @@ static vs_status string_to_json(vs_scheme *vm, vs_value *a, int n, vs_value *out
 
 static const vs_native_def defs[] = {
   { "%data-path", "file", data_path, 0, NULL },
-  /* a single native for several procedures; errors show these names */
+  /* one native for several procedures; errors show the procedure's own name */
   { "%file->string %file->lines %load-csv %load-mtl", "file", data_text, 0, NULL },
   { "%directory-files", "folder", directory_files, 0, NULL },
   { "load-json", "file", load_json, 0, "the data of a JSON file: objects are association lists, arrays vectors" },

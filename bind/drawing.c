@@ -21,7 +21,7 @@
 /* ---- drawing and erasing ---- */
 
 /* Returns true if the node is among the 16 objects that were drawn last. This happens if a procedure draws an object
- * and returns it, and the program draws the result again. */
+ * and returns it, and the program draws the returned object again. */
 static bool drawn_just_now(const vs_bind *b, size_t before, const vs_node *node) {
   enum { MOST = 16 };
   for (size_t i = before; i-- > 0 && before - i <= MOST;)
@@ -63,8 +63,8 @@ vs_status vs_p_draw(vs_args *f, vs_value *out) {
   return status;
 }
 
-/* Removes the given objects, and objects equal to them, from the drawing. It is an error if the drawing does not
- * contain one of them. */
+/* Removes the given objects, and objects equal to them, from the drawing. If the drawing does not contain one of them,
+ * sets an error. */
 vs_status vs_p_erase(vs_args *f, vs_value *out) {
   (void)out;
   vs_scene *scene = &f->bind->scene;
@@ -75,8 +75,8 @@ vs_status vs_p_erase(vs_args *f, vs_value *out) {
     for (size_t k = 0; k < count; k++) {
       bool same = scene->drawn[k].node == node || (scene->drawn[k].node->hash == node->hash &&
           vs_node_equal(scene->drawn[k].node, node, NULL));
-      if (same) vs_node_release(scene->drawn[k].node); /* releases the drawing's reference; the argument also has a
-                                                        * reference to the object, so the node is not freed */
+      if (same) vs_node_release(scene->drawn[k].node); /* releases the drawing's reference; the call's argument has
+                                                        * another one, so the node is not freed */
       else scene->drawn[kept++] = scene->drawn[k];
     }
     scene->drawn_count = kept;
@@ -92,7 +92,7 @@ vs_status vs_p_erase_all(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* ---- materials and marks: a node of kind material or mark is put above the objects ---- */
+/* ---- materials and marks: a new node of kind material or mark becomes the parent of the objects ---- */
 
 static vs_status around(vs_args *f, vs_kind kind, const void *data, const vs_arg *objects, vs_value *out) {
   vs_ref child;
@@ -121,7 +121,7 @@ vs_status vs_p_with_material(vs_args *f, vs_value *out) {
   return around(f, VS_MATERIAL, &(struct vs_material){ .material = f->arg[0].material }, &f->arg[1], out);
 }
 
-/* Only a material can be a name; if the argument of `color` is a name, only this material's colour is used. */
+/* The argument may be the name of a material. `color` uses only the colour of this material. */
 vs_status vs_p_color(vs_args *f, vs_value *out) {
   return around(f, VS_MATERIAL, &(struct vs_material){ .material = f->arg[0].material }, &f->arg[1], out);
 }
@@ -146,8 +146,8 @@ vs_status vs_p_ghost(vs_args *f, vs_value *out) {
 }
 vs_status vs_p_only(vs_args *f, vs_value *out) { return around(f, VS_ONLY, &(struct vs_only){ 0 }, &f->arg[0], out); }
 
-/* Sets the material's pattern to the picture of a file. The material's colour becomes the mean of the picture, unless
- * the call gave a colour. */
+/* Sets the material's pattern to the picture in a file. The material's colour becomes the mean colour of the picture,
+ * unless the call gave a colour. */
 static vs_status picture_of(vs_args *f, const vs_arg *image, bool colored, vs_material *m) {
   const char *shown;
   double mean[3];
@@ -157,8 +157,8 @@ static vs_status picture_of(vs_args *f, const vs_arg *image, bool colored, vs_ma
   return VS_OK;
 }
 
-/* Reads the five keywords of a pattern, which begin at k. Without #:pattern-color, the second colour is the first,
- * darkened. */
+/* Reads the five keyword arguments of a pattern, which begin at k. Without #:pattern-color, the second colour is a
+ * darker form of the first. */
 static vs_status pattern_of(vs_args *f, const vs_arg *k, bool colored, vs_material *m) {
   vs_material_pattern *p = &m->pattern;
   const double darker = vs_pattern_darkening;
@@ -226,14 +226,15 @@ vs_status vs_p_zoom_extents(vs_args *f, vs_value *out) {
 
 static const double half_turn = 3.141592653589793;
 
-/* Returns true for a multiple of pi/12 up to two turns. Such an angle was surely meant in radians, not in degrees. */
+/* Returns true if the angle is a multiple of pi/12 up to two turns. Such an angle was surely meant in radians, not in
+ * degrees. */
 static bool is_radians(double angle) {
   double parts = angle * 12 / half_turn;
   return parts > 0.5 && parts < 24.5 && fabs(parts - round(parts)) < 1e-9;
 }
 
 vs_status vs_p_sun(vs_args *f, vs_value *out) {
-  const vs_arg *k = f->key; /* the call's keywords in order: azimuth altitude latitude longitude date time */
+  const vs_arg *k = f->key; /* the call's keywords in order: azimuth, altitude, latitude, longitude, date, time */
   vs_scene *s = &f->bind->scene;
   double azimuth, altitude;
   bool off = f->arg[0].given && !f->arg[0].boolean;
@@ -268,7 +269,7 @@ vs_status vs_p_sun(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* Sets the kind of sky that the first argument names. */
+/* Sets the scene's sky to the kind of sky that the first argument names. */
 static vs_status named_sky(vs_args *f) {
   static const struct { const char *name; vs_sky_kind kind; } skies[] = {
     { "plain", VS_SKY_PLAIN }, { "overcast", VS_SKY_OVERCAST }, { "night", VS_SKY_NIGHT },
@@ -322,7 +323,7 @@ vs_status vs_p_look(vs_args *f, vs_value *out) {
 }
 
 vs_status vs_p_lamp(vs_args *f, vs_value *out) {
-  const vs_arg *k = f->key; /* the call's keywords in order: ies lumens to turn dim color */
+  const vs_arg *k = f->key; /* the call's keywords in order: ies, lumens, to, turn, dim, color */
   vs_scene_lamp l = { .at = f->arg[0].point, .dim = k[4].given ? k[4].real : 1, .color = { 1, 1, 1 } };
   (void)out;
   l.to = k[2].given ? k[2].point : vs_v3_add(l.at, vs_v3(0, 0, -1));

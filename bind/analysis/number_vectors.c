@@ -26,6 +26,7 @@ size_t vs_bind_vector_length(vs_value v) { return vs_is_vector(v) ? vs_as_vector
 
 bool vs_bind_give_numbers(vs_args *f, const double *at, size_t count, vs_value *out) {
   if (!vs_make_vector(vs_call_vm(f), count, vs_fix(0), out)) return false;
-  for (size_t i = 0; i < count; i++) vs_as_vector(*out)->at[i] = vs_flonum(at[i]); /* flonums are no addresses */
+  for (size_t i = 0; i < count; i++) vs_as_vector(*out)->at[i] = vs_flonum(at[i]); /* doubles contain no addresses, so
+                                                                                    * no write barrier is needed */
   return true;
 }

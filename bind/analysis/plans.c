@@ -1,5 +1,6 @@
-/* Implements the natives of plans, which library/visualscheme/analysis/ calls: shortest ways to exits, and views. A
- * plan is a list of the corners of all loops, and vectors with the sizes and the rooms of the loops. */
+/* Implements the natives for floor plans, which library/visualscheme/analysis/ calls: shortest ways to exits, and
+ * visible areas. A plan consists of three arguments: a list of the corners of all loops (outlines), a vector of the
+ * loops' numbers of corners, and a vector of their rooms' numbers. */
 #include "geometry/nets/plan_ways.h"
 
 #include <math.h>
@@ -13,9 +14,10 @@
 #include "vm/machine/fail.h"
 #include "vm/values/gc.h"
 
-enum { PLACE_NUMBERS = 4 }; /* x, y, length of the way to an exit or -1, index of the next place or -1 */
+enum { PLACE_NUMBERS = 4 }; /* numbers for each place in a plan: x, y, length of the way to an exit or -1, index of the
+                             * next place on this way or -1 */
 
-/* Returns the points of an argument, without their heights. */
+/* Returns the x and y of the points in an argument. */
 static vs_vec2 *flat(vs_args *f, int argument) {
   size_t n = vs_arg_points(f, argument).count;
   vs_vec2 *at = vs_bind_scratch(f, (n + 1) * sizeof *at);
@@ -24,7 +26,7 @@ static vs_vec2 *flat(vs_args *f, int argument) {
   return at;
 }
 
-/* Takes the plan of the first three arguments. */
+/* Sets *p to the plan in the first three arguments. */
 static bool take_plan(vs_args *f, vs_plan *p) {
   vs_scheme *vm = vs_call_vm(f);
   size_t loops = vs_bind_vector_length(vs_arg_value(f, 1)), all = 0;
@@ -40,7 +42,8 @@ static bool take_plan(vs_args *f, vs_plan *p) {
   return all == p->count || (vs_fail(vm, vm->sym.range, "the loops of the plan do not fit"), false);
 }
 
-/* (%plan-ways points sizes rooms exits doors): returns a vector of the places, PLACE_NUMBERS each. */
+/* (%plan-ways points sizes rooms exits doors): returns a vector with PLACE_NUMBERS numbers for each place of the ways
+ * to the exits. */
 vs_status vs_p_plan_ways(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   vs_plan p;
@@ -63,8 +66,8 @@ vs_status vs_p_plan_ways(vs_args *f, vs_value *out) {
   return numbers && vs_bind_give_numbers(f, numbers, count * PLACE_NUMBERS, out) ? VS_OK : VS_ERROR;
 }
 
-/* (%plan-way points sizes rooms places p): returns a list of the length of the way from p, and of the index of its
- * first place. Returns #f if p is in no room, or no way leads to an exit. */
+/* (%plan-way points sizes rooms places p): returns a list of the length of the shortest way from p to an exit, and of
+ * the index of the first place on it. Returns #f if p is in no room, or no way leads to an exit. */
 vs_status vs_p_plan_way(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   vs_plan p;
@@ -86,7 +89,7 @@ vs_status vs_p_plan_way(vs_args *f, vs_value *out) {
   return vs_cons(vm, vs_fix(first), VS_NIL, &r[0]) && vs_cons(vm, vs_flonum(far), r[0], out) ? VS_OK : VS_ERROR;
 }
 
-/* (%plan-view points sizes rooms p): returns the list of the corners of the area that is seen from p. */
+/* (%plan-view points sizes rooms p): returns the list of the corners of the area that is visible from p. */
 vs_status vs_p_plan_view(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   vs_plan p;

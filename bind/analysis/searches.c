@@ -1,5 +1,5 @@
-/* Implements the natives of optimise, which library/visualscheme/analysis/ calls. A search asks for values; the
- * library's program computes and answers them. */
+/* Implements the natives of optimise, which library/visualscheme/analysis/ calls. A search asks for values of
+ * functions; the program in the library computes and returns them. */
 #include "geometry/search/optimiser.h"
 
 #include <math.h>
@@ -14,8 +14,9 @@
 static void release_search(void *s) { vs_search_free(s); }
 static const vs_foreign_type search_type = { .name = "a search", .release = release_search };
 
-/* (%search-new method start low high limits): limits are the numbers of constraints and of evaluations, and the
- * tolerance. method is an index of vs_search_method. A bound beyond 1e300 is none. */
+/* (%search-new method start low high limits): begins a search at the vector `start`. limits: number of constraints,
+ * greatest number of evaluations, tolerance. method is an index of vs_search_method. An element of low or high beyond
+ * 1e300 means no bound. */
 vs_status vs_p_search_new(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   size_t n = vs_bind_vector_length(vs_arg_value(f, 1));
@@ -36,7 +37,7 @@ vs_status vs_p_search_new(vs_args *f, vs_value *out) {
   return s ? (vs_make_foreign(vm, &search_type, s, 0, out) ? VS_OK : VS_ERROR) : vs_bind_error(vm, &e);
 }
 
-/* Returns the search of argument 0. If it is none, sets the error and returns NULL. */
+/* Returns the search in argument 0. If the argument is no search, sets the error and returns NULL. */
 static vs_search *search_of(vs_args *f) {
   vs_scheme *vm = vs_call_vm(f);
   vs_search *s = vs_foreign_get(vs_arg_value(f, 0), &search_type);
@@ -44,9 +45,9 @@ static vs_search *search_of(vs_args *f) {
   return s;
 }
 
-/* (%search-next search): returns a list of three values. For a question: the index of the function, whether slopes
- * are asked, and the vector of the unknowns. At the end: the number of the state below 0, the value, and the best
- * unknowns. */
+/* (%search-next search): returns a list of three values. If the search asks for a value: the index of the function,
+ * whether its derivatives are needed, and the vector of the unknowns. At the end: the search's final state as a
+ * negative number, the best value, and the best unknowns. */
 vs_status vs_p_search_next(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   vs_search *s = search_of(f);
@@ -61,7 +62,8 @@ vs_status vs_p_search_next(vs_args *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* (%search-answer search value slopes): value is a number; slopes is a vector, empty if none are asked. */
+/* (%search-answer search value slopes): passes a function's value to the search. slopes: vector of the derivatives,
+ * empty if they are not needed. */
 vs_status vs_p_search_answer(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   vs_search *s = search_of(f);

@@ -1,4 +1,5 @@
-/* Implements the natives of frames, which library/visualscheme/analysis/ calls: structures are vectors of numbers. */
+/* Implements the natives for frames (structures of bars), which library/visualscheme/analysis/ calls. The arguments are
+ * vectors of numbers. */
 #include "geometry/structure/structure_modes.h"
 
 #include <math.h>
@@ -14,7 +15,8 @@
 #include "vm/machine/fail.h"
 #include "vm/values/gc.h"
 
-enum { MEMBER_NUMBERS = 11 }; /* from, to, area, bend_y, bend_z, twist, modulus, shear, roll, two hinges */
+enum { MEMBER_NUMBERS = 11 }; /* numbers for each bar: from, to, area, bend_y, bend_z, twist, modulus, shear, roll, two
+                               * hinges */
 
 static bool take_members(vs_args *f, size_t nodes, vs_structure *s) {
   vs_scheme *vm = vs_call_vm(f);
@@ -35,7 +37,7 @@ static bool take_members(vs_args *f, size_t nodes, vs_structure *s) {
   return true;
 }
 
-/* Takes the points, the members and the held ways, which are the first three arguments. */
+/* Sets the points, bars and supports of *s from the first three arguments. */
 static bool take_net(vs_args *f, vs_structure *s) {
   *s = (vs_structure){ .at = vs_arg_points(f, 0).at, .count = vs_arg_points(f, 0).count };
   size_t ways = s->count * VS_WAYS;
@@ -48,7 +50,7 @@ static bool take_net(vs_args *f, vs_structure *s) {
   return true;
 }
 
-/* (%frame-solve points members held loads lines cases): takes the arguments that a structure needs. */
+/* Sets *s from the arguments of (%frame-solve points members held loads lines cases). */
 static bool take_structure(vs_args *f, vs_structure *s) {
   if (!take_net(f, s)) return false;
   size_t ways = s->count * VS_WAYS;
@@ -58,7 +60,7 @@ static bool take_structure(vs_args *f, vs_structure *s) {
   return s->lines;
 }
 
-/* Sets the condition for a mechanism; then returns false. */
+/* Sets the error for a structure that can move without resistance (a mechanism); then returns false. */
 static bool mechanism(vs_args *f, const vs_structure_report *report) {
   vs_scheme *vm = vs_call_vm(f);
   double largest = 0, squares[2] = { 0, 0 };
@@ -77,8 +79,8 @@ static bool mechanism(vs_args *f, const vs_structure_report *report) {
   return false;
 }
 
-/* (%frame-solve points members held loads lines cases): returns a list of the movements, the ends' forces, the
- * reactions, and the list of the numbers of loose nodes. */
+/* (%frame-solve points members held loads lines cases): returns a list of the nodes' movements, the forces at the bars'
+ * ends, the reactions of the supports, and the list of the numbers of loose nodes, counted from 1. */
 vs_status vs_p_frame_solve(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   vs_structure s;
@@ -93,7 +95,7 @@ vs_status vs_p_frame_solve(vs_args *f, vs_value *out) {
   vs_long_work work = { vs_bind_keep_going, vm };
   switch (vs_structure_solve(&s, &state, work, &report, &e)) {
   case VS_STRUCTURE_MOVES: return mechanism(f, &report), VS_ERROR;
-  case VS_STRUCTURE_STOPPED: return VS_ERROR; /* the condition is already set */
+  case VS_STRUCTURE_STOPPED: return VS_ERROR; /* vm->condition is already set */
   case VS_STRUCTURE_FAILED: return vs_bind_error(vm, &e);
   case VS_STRUCTURE_DONE: break;
   }
@@ -110,8 +112,8 @@ vs_status vs_p_frame_solve(vs_args *f, vs_value *out) {
 }
 
 /* (%buckling-modes points members held axial masses parts want), and %vibration-modes with the same arguments: masses
- * is empty for the former, axial for the latter. Returns a list of a vector of factors or frequencies, and a vector of
- * shapes. */
+ * is empty for the former, axial for the latter. Returns a list of two vectors: load factors or frequencies, and the
+ * shapes of the modes. */
 vs_status vs_p_frame_modes(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   vs_structure s;
@@ -133,7 +135,7 @@ vs_status vs_p_frame_modes(vs_args *f, vs_value *out) {
   vs_long_work work = { vs_bind_keep_going, vm };
   switch (vs_structure_modes(&p, work, values, shapes, &found, &report, &e)) {
   case VS_STRUCTURE_MOVES: return mechanism(f, &report), VS_ERROR;
-  case VS_STRUCTURE_STOPPED: return VS_ERROR; /* the condition is already set */
+  case VS_STRUCTURE_STOPPED: return VS_ERROR; /* vm->condition is already set */
   case VS_STRUCTURE_FAILED: return vs_bind_error(vm, &e);
   case VS_STRUCTURE_DONE: break;
   }

@@ -45,8 +45,8 @@ vs_status vs_convert(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out
 
 /* ---- choosing the form of a call ---- */
 
-/* Returns true if v is of the kind that the contract requires. Only contracts by which a procedure's forms differ are
- * tested; for all others returns true. Sets no error. */
+/* Returns true if v is of the kind that the contract requires. Tests only contracts that distinguish a procedure's
+ * forms; for other contracts returns true. Sets no error. */
 static bool looks_like(vs_args *f, vs_contract c, vs_value v) {
   vs_arg unused;
   if (c == VS_C_POINT) return vs_is_flat(v, VS_FLAT_POINT);
@@ -76,8 +76,8 @@ void vs_bind_forms(const vs_procedure *procedure, const char *name, char *text, 
   }
 }
 
-/* Refuses a call with a wrong number of arguments. The error shows all forms. If three numbers were given for a box, it
- * also shows the corners that were probably meant. */
+/* Refuses a call with a wrong number of arguments. The error shows all forms of the call. If three numbers were given
+ * for a box, it also shows the corner points that were probably meant. */
 static vs_status refuse_count(vs_args *f, const vs_value *a, int n) {
   char name[64], text[512], hint[300];
   vs_bind_forms(f->procedure, vs_bind_own_name(f, name), text, sizeof text);
@@ -86,7 +86,7 @@ static vs_status refuse_count(vs_args *f, const vs_value *a, int n) {
       f->procedure->form[0].at[2].mode == VS_ARG_END;
   if (two_corners && n == 3 && vs_bind_take_number(f->vm, a[0], &d[0]) && vs_bind_take_number(f->vm, a[1], &d[1]) &&
       vs_bind_take_number(f->vm, a[2], &d[2])) {
-    char x[32], y[32], z[32]; /* the three numbers, as text: they were probably meant as the corner opposite to the
+    char x[32], y[32], z[32]; /* the three numbers as text; they were probably meant as the corner opposite to the
                                * origin */
     vs_bind_number_text(x, d[0]), vs_bind_number_text(y, d[1]), vs_bind_number_text(z, d[2]);
     snprintf(hint, sizeof hint, "(%s (xyz 0 0 0) (xyz %s %s %s))", name, x, y, z);
@@ -106,13 +106,13 @@ static int form_fits(vs_args *f, const vs_form *form, const vs_value *a, int n) 
     if (p->mode == VS_ARG_END) return -1;
     if (fits == i && looks_like(f, (vs_contract)p->contract, a[i])) fits++;
   }
-  if (p->mode == VS_ARG_REQUIRED) return -1; /* the form requires more than n arguments; required parameters precede
-                                              * optional ones */
+  if (p->mode == VS_ARG_REQUIRED) return -1; /* the form requires more arguments; optional parameters come last */
   if (p->mode == VS_ARG_REST && fits >= 0 && fits < n && looks_like(f, (vs_contract)p->contract, a[fits])) fits++;
   return fits < 0 ? 0 : fits;
 }
 
-/* Returns the index of the form that fits best. If none accepts n arguments, sets the error and returns -1. */
+/* Returns the index of the form that fits the n arguments best. If no form accepts n arguments, sets the error and
+ * returns -1. */
 static int choose_form(vs_args *f, const vs_value *a, int n) {
   int best = -1, best_fits = -1;
   for (int i = 0; i < VS_MAX_FORMS && f->procedure->form[i].used; i++) {
@@ -124,16 +124,17 @@ static int choose_form(vs_args *f, const vs_value *a, int n) {
   return best;
 }
 
-/* Marks an argument as absent, and clears the members that a procedure's C function may read. It never reads the matrix
- * of an absent argument, so the matrix is not cleared. */
+/* Marks an argument as absent, and clears the members that a procedure's C function may read. No such function reads
+ * the matrix of an absent argument, so the matrix is not cleared. */
 static inline void set_absent(vs_arg *to) {
   to->given = false, to->value = VS_ABSENT;
   to->line.at = to->line.direction = vs_v3(0, 0, 0);
 }
 
 /* Results of testing an argument in enter_quickly, the fast path for calls with points and numbers that fulfil their
- * contracts. It chooses the form and converts the arguments together. For all other calls it returns false, and
- * enter_slowly handles them. QUICK_OTHER: the argument is of another kind, so that looks_like would return false. */
+ * contracts. enter_quickly chooses the form and converts the arguments at once. For all other calls it returns
+ * false, and enter_slowly handles them. QUICK_OTHER: the argument is of another kind, so that looks_like would
+ * return false. */
 typedef enum { QUICK_FITS, QUICK_OTHER, QUICK_UNSURE } quick;
 static inline quick convert_quickly(const vs_bind_param *p, vs_value v, vs_arg *out) {
   out->given = true, out->value = v;
@@ -168,7 +169,7 @@ static bool enter_quickly(vs_args *f, const vs_value *a, int n) {
 
 /* ---- the native that makes checked calls ---- */
 
-/* Chooses the form and converts the arguments one after the other. Returns false with the error set. */
+/* Chooses the form of the call, then converts the arguments one after the other. Returns false with the error set. */
 static bool enter_slowly(vs_args *f, const vs_value *a, int given) {
   f->form = choose_form(f, a, given);
   if (f->form < 0) return false;
@@ -205,7 +206,7 @@ static vs_status run(vs_args *f, const vs_bind_columns *table, vs_value *a, int 
   f->given = given;
   if (!enter_quickly(f, a, given)) {
     vs_status status;
-    bool duals = vs_is_fixnum(vs_lib_get(f->vm, VS_LIB_DUALS)); /* whether a differentiation has begun, so that
+    bool duals = vs_is_fixnum(vs_lib_get(f->vm, VS_LIB_DUALS)); /* whether the program has differentiated, so that
                                                                  * arguments may be dual numbers */
     if (duals && vs_dual_level(a, (size_t)given) >= 0 &&
         table->differentiate(f->vm, f->function, a, given, out, &status))
@@ -227,7 +228,8 @@ static vs_status run(vs_args *f, const vs_bind_columns *table, vs_value *a, int 
 vs_status vs_bind_call(vs_scheme *vm, const vs_bind_columns *table, vs_value *a, int n, vs_value *out) {
   const vs_native_def *native = vm->native->def;
   const ptrdiff_t i = native - table->natives;
-  vs_args f; /* sets the members of f one by one: clearing the struct would take longer than most procedures */
+  vs_args f; /* the code below sets members of f one by one: clearing the struct would take longer than most
+              * procedures */
   f.vm = vm, f.bind = vs_bind_of(vm), f.store = f.bind ? f.bind->store : NULL, f.scratch = NULL, f.count = 0;
   f.procedure = &table->procedures[i], f.function = table->functions[i], f.names = native->name;
   vs_status s = run(&f, table, a, n, out);

@@ -1,4 +1,4 @@
-/* Declares the converters of convert_*.c. The converter of a contract turns one argument into C data. */
+/* Declares the converters of convert_*.c. Each contract has a converter, which turns an argument into C data. */
 #ifndef VS_BIND_CALL_CONVERT_H
 #define VS_BIND_CALL_CONVERT_H
 
@@ -54,8 +54,8 @@ vs_status vs_convert_all_refs(vs_args *f, const vs_bind_param *p, const vs_value
 vs_status vs_convert_all_points(vs_args *f, const vs_bind_param *p, const vs_value *v, size_t n, vs_arg *out);
 vs_status vs_convert_all_things(vs_args *f, const vs_bind_param *p, const vs_value *v, size_t n, vs_arg *out);
 
-/* Flattens a list of objects. If an element is no object, returns false and sets *bad to it. If another error is
- * already set, *bad is VS_ABSENT. */
+/* Flattens a list of objects. If an element is no object, returns false and sets *bad to the element. If another error
+ * is already set, *bad is VS_ABSENT. */
 bool vs_bind_take_refs(vs_args *f, vs_value list, vs_ref **out, size_t *count, vs_value *bad);
 /* If v is an axis, sets out->line and returns true. Sets no error. */
 bool vs_bind_take_axis(vs_value v, vs_arg *out);

@@ -1,5 +1,5 @@
 /* Converts arguments that are objects, points, lists of objects and points, materials or colours. Each function
- * vs_convert_* belongs to a row of contracts.def: it sets *out, or the error. Nested lists are flattened without
+ * vs_convert_* belongs to a row of contracts.def. It sets *out, or the error. Nested lists are flattened without
  * recursion. */
 #include "bind/call/call.h"
 #include "bind/call/convert.h"
@@ -29,10 +29,10 @@ static bool finite3(const double *d) { return isfinite(d[0]) && isfinite(d[1]) &
 static vs_vec3 vec_of(const double *d) { return vs_v3(d[0], d[1], d[2]); }
 
 /* Flattens `values`, each an item or a nested list of items, and calls `add` for each item. If a value is neither list
- * nor item, returns false and sets *bad to it, or to VS_ABSENT if the error is already set. An explicit stack contains
- * the rest of each open list. No Scheme objects are allocated, so that C variables need not be roots of the garbage
- * collector. A list that contains itself would make the stack grow forever. Each new list is therefore compared with
- * the list at the next lower power of two (Brent's cycle detection). */
+ * nor item, returns false and sets *bad to the value, or to VS_ABSENT if the error is already set. An explicit stack
+ * contains the unread part of each open list. No Scheme objects are allocated, so C variables need not be roots of the
+ * garbage collector. A list that contains itself would make the stack grow forever. Each list that is opened is
+ * therefore compared with the open list whose depth is the next lower power of two (Brent's cycle detection). */
 static bool flatten(vs_args *f, const vs_value *values, size_t count,
                     bool (*add)(vs_args *, vs_value, void *, bool *oom), void *to, vs_value *bad) {
   struct open { vs_value list, rest; } fixed[32], *open = fixed;
@@ -79,7 +79,8 @@ static bool add_curve(vs_args *f, vs_value v, void *to, bool *oom) {
   const vs_node *n = vs_bind_take_ref(v).node;
   return n && (n->class_ == VS_CURVE || vs_node_is_empty(n)) && add_ref(f, v, to, oom);
 }
-/* Adds a section of a loft: a curve, a region, or a point, which becomes a line with one point. */
+/* Adds a section of a loft to the array: a curve or a region itself, a point as a line with one point. Returns false if
+ * v is none of these. Sets *oom when memory is out. */
 static bool add_section(vs_args *f, vs_value v, void *to, bool *oom) {
   const vs_node *object = vs_bind_take_ref(v).node;
   if (object)
@@ -117,8 +118,8 @@ bool vs_bind_take_refs(vs_args *f, vs_value list, vs_ref **out, size_t *count, v
 }
 
 /* Called if numbers were given instead of points: writes the points that were probably meant. For 0 0 1 0, for (0 0) (1
- * 0) and for lists of such arguments, it writes (make-polygon (xy 0 0) (xy 1 0)). If other arguments precede the
- * points, it writes (list (xy 0 0) (xy 1 0)). Returns false if there are values other than numbers. */
+ * 0) and for lists of such arguments, it writes (make-polygon (xy 0 0) (xy 1 0)). If arguments of other kinds precede
+ * the points, it writes (list (xy 0 0) (xy 1 0)). Returns false if there are values other than numbers. */
 static bool points_meant(vs_args *f, const vs_bind_param *p, const vs_value *v, size_t n, char *text, size_t room) {
   enum { MOST = 64, SHOWN = 4 };
   vs_value item[MOST];
@@ -153,8 +154,8 @@ static bool points_meant(vs_args *f, const vs_bind_param *p, const vs_value *v, 
   return true;
 }
 
-/* Refuses an item of a list. If the call contains the value of an expression without a result, names the usual causes:
- * an `if` without else, a `for-each` instead of a `map`. */
+/* Refuses an item of a list. If the item is the value of an expression without a result, the error names the usual
+ * causes: an `if` without else, a `for-each` instead of a `map`. */
 static vs_status refuse_item(vs_args *f, const vs_bind_param *p, const vs_value *given, size_t count, vs_value bad,
                              const char *item) {
   if (bad == VS_ABSENT) return VS_ERROR; /* the error is already set */
@@ -204,7 +205,7 @@ vs_status vs_convert_all_things(vs_args *f, const vs_bind_param *p, const vs_val
   return VS_OK;
 }
 
-/* Sets *out to an object; for a list of objects to their union. */
+/* Sets *out to the object v or, if v is a list of objects, to their union. */
 static vs_status one_object(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   out->ref = vs_bind_take_ref(v);
   if (out->ref.node) return VS_OK;
@@ -221,7 +222,8 @@ static vs_status one_object(vs_args *f, const vs_bind_param *p, vs_value v, vs_a
   return VS_OK;
 }
 
-static bool has_no_end(const vs_node *n) { /* returns true for an xline or a ray, perhaps placed */
+static bool has_no_end(const vs_node *n) { /* returns true for an xline or a ray (infinite lines), perhaps inside
+                                            * placements */
   while (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER) n = n->children[0].node;
   return vs_node_has(n, VS_IS_UNRESOLVED) && !n->child_count;
 }
@@ -235,7 +237,7 @@ static bool class_fits(vs_contract c, const vs_node *n) {
   return c != VS_C_SOLID || n->class_ == VS_SOLID;
 }
 
-/* Returns true for a list of three elements, as most faces have. Tests this quickly. */
+/* Returns true if v is a list of exactly three elements, as most faces are. */
 static bool has_three(vs_value v) {
   for (int i = 0; i < 3; i++, v = vs_cdr(v))
     if (!vs_is_pair(v)) return false;
@@ -268,7 +270,7 @@ vs_status vs_convert_faces(vs_args *f, const vs_bind_param *p, vs_value v, vs_ar
   return VS_OK;
 }
 
-/* Converts an object, or a list of objects to their union. Refuses an object that is not of the class in the
+/* Converts an object; a list of objects becomes their union. Refuses an object that is not of the class in the
  * contract. */
 vs_status vs_convert_object(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   if (!one_object(f, p, v, out)) return VS_ERROR;
@@ -287,7 +289,7 @@ vs_status vs_convert_things(vs_args *f, const vs_bind_param *p, vs_value v, vs_a
   return vs_convert_all_things(f, p, &v, 1, out);
 }
 
-/* Converts the argument that tells how far a profile is extruded: a curve, a gvector, or a height along Z. */
+/* Converts the argument that says how far a profile is extruded: a curve, a gvector, or a height along Z. */
 vs_status vs_convert_path(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   out->ref = vs_bind_take_ref(v);
   if (out->ref.node) return class_fits(VS_C_CURVE, out->ref.node) ? VS_OK : vs_bind_refuse_kind(f, p, v);
@@ -320,8 +322,8 @@ static vs_status refuse_material(vs_args *f, const vs_bind_param *p, vs_value go
   return vs_bind_refuse_hint(f, p->name, vs_contract_noun(p->contract), got, hint);
 }
 
-/* Refuses a colour of three numbers outside of 0 to 1. If all are between 0 and 255, and one is 32 or more, the error
- * suggests the numbers divided by 255, since other programs use the range 0 to 255. */
+/* Refuses a colour of three numbers, of which one is not between 0 and 1. If all are between 0 and 255, and one is 32
+ * or more, the error suggests the numbers divided by 255, since other programs use the range 0 to 255. */
 static vs_status refuse_parts(vs_args *f, const vs_bind_param *p, vs_value got) {
   double c[3];
   char hint[96];
@@ -334,13 +336,14 @@ static vs_status refuse_parts(vs_args *f, const vs_bind_param *p, vs_value got) 
   return vs_bind_refuse_hint(f, p->name, vs_contract_noun(p->contract), got, hint);
 }
 
-/* Returns true if the name is that of a photograph's file. */
+/* Returns true if the name ends as the name of a photograph's file does. */
 static bool is_photograph(const char *name) {
   const char *dot = strrchr(name, '.');
   return dot && (!strcasecmp(dot, ".png") || !strcasecmp(dot, ".jpg") || !strcasecmp(dot, ".jpeg"));
 }
 
-/* Creates the material of a photograph: a matt surface, on which the picture is one metre wide. */
+/* Creates the material for the file of a photograph: a matt surface with the photograph as its pattern, one metre
+ * wide. */
 static vs_status convert_photograph(vs_args *f, vs_value v, vs_arg *out) {
   vs_material m = { .roughness = 0.9, .ior = 1.5, .pattern = { .kind = VS_PATTERN_PICTURE } };
   double mean[3];

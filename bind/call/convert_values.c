@@ -1,5 +1,5 @@
 /* Converts arguments that are values: numbers, booleans, texts, points, lines, planes, matrices. Each function belongs
- * to a row of contracts.def: it sets *out, or the error. */
+ * to a row of contracts.def. It sets *out, or the error. */
 
 #include <math.h>
 #include <stdio.h>
@@ -91,8 +91,8 @@ vs_status vs_convert_unit(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg
   return out->real >= 0 && out->real <= 1 ? VS_OK : vs_bind_refuse_condition(f, p, v);
 }
 
-/* Converts an angle. Warns if an integer above 6 is probably in degrees. Does not warn if this place of the program
- * called with a smaller integer before, as a loop that counts does. */
+/* Converts an angle. Warns if it is an integer above 6, which is probably in degrees. Does not warn if the same call in
+ * the program had a smaller integer before, as in a counting loop. */
 vs_status vs_convert_angle(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   if (!vs_convert_real(f, p, v, out)) return VS_ERROR;
   if (vs_is_fixnum(v) && out->real != 0 && fabs(out->real) <= 6) vs_bind_clear(f->bind, "degrees");
@@ -176,7 +176,8 @@ vs_status vs_convert_plane(vs_args *f, const vs_bind_param *p, vs_value v, vs_ar
   return is_plane(v, out) ? check_line(f, p, v, out) : vs_bind_refuse_kind(f, p, v);
 }
 
-/* Converts a cutting plane. A number is the height of a horizontal plane, below which the object is kept. */
+/* Converts a cutting plane. A number means a horizontal plane at this height; the part of the object below the plane is
+ * kept. */
 vs_status vs_convert_cut(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   if (v == VS_FALSE) return VS_OK;
   if (!vs_bind_take_number(f->vm, v, &out->real)) return vs_convert_plane(f, p, v, out);
@@ -207,7 +208,7 @@ vs_status vs_convert_factor(vs_args *f, const vs_bind_param *p, vs_value v, vs_a
   return finite3(d) && d[0] > 0 && d[1] > 0 && d[2] > 0 ? VS_OK : vs_bind_refuse_condition(f, p, v);
 }
 
-/* Converts a tangent. An angle means a direction in the XY plane. */
+/* Converts the direction of a tangent. A number means the angle of a direction in the XY plane. */
 vs_status vs_convert_tangent(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   if (vs_is_flat(v, VS_FLAT_VECTOR)) {
     out->point = vec_of(vs_as_flat(v)->at);

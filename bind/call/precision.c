@@ -1,4 +1,4 @@
-/* Reads (current-segments) and (current-tolerance), the parameter objects of geometry.scm. */
+/* Reads the parameter objects (current-segments) and (current-tolerance) of geometry.scm. */
 #include "bind/call/precision.h"
 
 #include "bind/call/take.h"

@@ -4,7 +4,9 @@
 
 #include "vm/machine/native.h"
 
-int32_t vs_bind_segments(vs_scheme *vm); /* Returns (current-segments); 0: computed from the tolerance. */
-double vs_bind_tolerance(vs_scheme *vm); /* Returns (current-tolerance); 0: computed from the size of the drawing. */
+int32_t vs_bind_segments(vs_scheme *vm); /* Returns the value of (current-segments), the number of segments of a full
+                                          * turn; 0: it is computed from the tolerance. */
+double vs_bind_tolerance(vs_scheme *vm); /* Returns the value of (current-tolerance), in model units; 0: it is computed
+                                          * from the size of the drawing. */
 
 #endif

@@ -5,7 +5,7 @@
 #include "model/node.h"
 #include "vm/machine/native.h"
 
-/* Sets the error to "NAME: ..." with the message of *e. */
+/* Sets the error "NAME: MESSAGE" with the message of *e, where NAME is the running native. Returns VS_ERROR. */
 vs_status vs_bind_error(vs_scheme *vm, const vs_error *e);
 
 #endif

@@ -67,8 +67,8 @@ bool vs_bind_refuse_uncalled(vs_args *f, const vs_bind_param *p, vs_value v) {
   return true;
 }
 
-/* Refuses a value of the wrong kind. If a point was given for a gvector, or a gvector for a point, the error shows the
- * correct form. */
+/* Refuses a value of the wrong kind. If it is a point instead of a gvector, or a gvector instead of a point, the error
+ * shows the correct form. */
 vs_status vs_bind_refuse_kind(vs_args *f, const vs_bind_param *p, vs_value got) {
   if (vs_is_dual(got))
     return vs_fail(f->vm, f->vm->sym.type,
@@ -95,8 +95,8 @@ vs_status vs_bind_refuse_kind(vs_args *f, const vs_bind_param *p, vs_value got) 
   if (vs_bind_refuse_uncalled(f, p, got)) return VS_ERROR;
   const vs_bind_param *first = f->procedure->form[0].at;
   if (wants_point && vs_bind_take_number(f->vm, got, d) && (!strcmp(p->name, "apex") || !strcmp(p->name, "c2"))) {
-    char number[32], hint[96]; /* if a number was given for a point, it was probably meant as the solid's height:
-                                * suggests that point */
+    char number[32], hint[96]; /* a number instead of a point was probably meant as the solid's height: the error
+                                * suggests the point */
     vs_bind_number_text(number, d[0]);
     snprintf(hint, sizeof hint, "(+z %s %s)", first->name, number);
     return vs_bind_refuse_hint(f, p->name, vs_contract_noun(p->contract), got, hint);

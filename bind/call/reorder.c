@@ -1,4 +1,4 @@
-/* Implements advice for arguments in a wrong order: suggests (make-sphere p 3) for (make-sphere 3 p). */
+/* Implements advice for arguments in a wrong order: for (make-sphere 3 p), suggests (make-sphere p 3). */
 #include "bind/call/reorder.h"
 
 #include <stdio.h>
@@ -15,19 +15,19 @@
 #include "vm/values/text.h"
 
 enum {
-  MOST = 5,  /* greatest number of arguments; five arguments have 120 orders */
+  MOST = 5,  /* greatest number of arguments for which orders are tried; five arguments have 120 orders */
   SHOWN = 40 /* greatest number of bytes of an argument that the advice shows */
 };
 
 typedef struct {
   const vs_bind_param *param[MOST];
   bool fits[MOST][MOST]; /* fits[p][a]: whether argument a fulfils the contract of parameter p */
-  int order[MOST], count; /* order[p]: argument of parameter p, in the first order in which all arguments fit; count:
-                           * number of arguments */
-  int found;              /* number of orders in which all arguments fit, counted up to 2 */
+  int order[MOST], count; /* order[p]: number of the argument for parameter p, in the first order in which all arguments
+                           * fit; count: number of arguments */
+  int found;              /* number of orders in which all arguments fit; 2 means two or more */
 } orders;
 
-/* Sets o->param[i] to the parameter of argument i. Returns false if the form does not accept n arguments. */
+/* Sets o->param[i] to the parameter of argument i. Returns false if this form does not accept n arguments. */
 static bool place_parameters(const vs_form *form, int n, orders *o) {
   const vs_bind_param *p = form->at;
   o->count = n;
@@ -39,7 +39,7 @@ static bool place_parameters(const vs_form *form, int n, orders *o) {
   return p->mode != VS_ARG_REQUIRED;
 }
 
-/* Tries all orders of the arguments: order[0..at) is chosen, and order[at] is chosen next. */
+/* Tries all orders of the arguments that begin with order[0..at). order[at] is chosen next. */
 static void try_orders(orders *o) {
   int order[MOST] = {0}, at = 0;
   for (order[0] = -1; at >= 0 && o->found < 2;) {

@@ -5,7 +5,7 @@
 #include "bind/call/call.h"
 
 /* Called after an error about an argument's type. If the n arguments fit a form of the procedure in another order, the
- * error's payload becomes a text that shows this order (session/advice.c). */
+ * error's payload becomes a text that shows them in this order (for session/advice.c). */
 void vs_bind_reorder(vs_args *f, const vs_value *a, int n);
 
 #endif

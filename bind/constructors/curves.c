@@ -19,8 +19,8 @@ static int32_t segments(const vs_args *f) {
 
 /* ---- polylines ---- */
 
-static double extent(const vs_vec3 *at, size_t n) { /* returns the size of the points' region, with which distances are
-                                                     * compared */
+static double extent(const vs_vec3 *at, size_t n) { /* returns the greatest distance of a point from the first point,
+                                                     * the unit for comparing lengths */
   double size = 0;
   for (size_t i = 1; i < n; i++) size = fmax(size, vs_v3_length(vs_v3_sub(at[i], at[0])));
   return size;
@@ -39,7 +39,8 @@ static vs_node *points_node(vs_store *s, vs_kind kind, const vs_vec3 *at, size_t
   return node;
 }
 
-/* Removes points that equal their predecessor. If the last point equals the first, removes it and returns true. */
+/* Removes each point that equals the point before it. If the last point equals the first, removes the last and returns
+ * true. */
 static bool tidy(vs_vec3 *at, size_t *count) {
   size_t n = 0;
   for (size_t i = 0; i < *count; i++)
@@ -120,7 +121,7 @@ vs_status vs_p_make_arc(vs_args *f, vs_value *out) {
   return vs_bind_make(f, VS_ARC, &d, NULL, 0, out);
 }
 
-/* An ellipse is represented as a circle that is scaled along one axis. */
+/* An ellipse is a circle that is scaled along one axis. */
 vs_status vs_p_make_ellipse(vs_args *f, vs_value *out) {
   double rx = REAL(1), ry = REAL(2);
   if (rx == 0 || ry == 0) return vs_bind_empty(f, "rx or ry is 0", out);
@@ -135,7 +136,7 @@ vs_status vs_p_make_ellipse(vs_args *f, vs_value *out) {
 
 /* ---- splines ---- */
 
-/* reads a spline's tangent at an end; #f means that no tangent is given: the zero vector */
+/* reads the tangent at an end of a spline; #f means that none is given: the zero vector */
 static vs_status tangent(vs_args *f, int i, const char *name, vs_vec3 *out) {
   vs_value v = f->arg[i].value;
   double angle, s, c;
@@ -153,7 +154,7 @@ static vs_status tangent(vs_args *f, int i, const char *name, vs_vec3 *out) {
   return vs_bind_refuse(f, name, "a gvector longer than 0, or an angle in the XY plane", v);
 }
 
-/* (%make-spline points start end segments): geometry.scm has converted the arguments of make-spline to this form. */
+/* (%make-spline points start end segments): geometry.scm has converted the arguments of make-spline to these four. */
 vs_status vs_p_make_spline(vs_args *f, vs_value *out) {
   vs_vec3 *at = f->arg[0].points.at;
   size_t n = f->arg[0].points.count;
@@ -164,8 +165,8 @@ vs_status vs_p_make_spline(vs_args *f, vs_value *out) {
   bool closed = tidy(at, &n);
   if (n < 2) return vs_bind_empty(f, "all points are the same", out);
   if (closed && n < 3) closed = false;
-  if (closed) d.start_tangent = d.end_tangent = vs_v3(0, 0, 0); /* a closed spline is smooth at all points, so given
-                                                                 * tangents have no effect */
+  if (closed) d.start_tangent = d.end_tangent = vs_v3(0, 0, 0); /* a closed spline is smooth at all points, so tangents
+                                                                 * that are given have no effect */
   return vs_bind_give_node(f, points_node(f->store, VS_SPLINE, at, n, closed, &d), out);
 }
 

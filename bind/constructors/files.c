@@ -1,4 +1,4 @@
-/* Reads the mesh files and pictures of a program. Also lists the names of the prefabs. */
+/* Reads the mesh files and pictures that a program names. Also lists the names of the prefabs. */
 #include "bind/constructors/files.h"
 
 #include "bind/call/call.h"
@@ -42,8 +42,8 @@ vs_status vs_bind_file(vs_args *f, const vs_arg *name, vs_value *bytes, const ch
   return file_of(f, name->value, bytes, shown, &whole);
 }
 
-/* Stores the bytes of a picture in the store. `read` contains its path and format, and its columns and rows if they are
- * known. */
+/* Stores a picture in the store. `read` contains the picture's path and format, and its columns and rows if they are
+ * known; `bytes` are the bytes of its file. */
 static vs_status keep_picture(vs_args *f, vs_picture read, const vs_bytes *bytes, const vs_picture **out) {
   read.bytes = bytes->at, read.size = (size_t)bytes->length;
   *out = vs_store_picture(f->store, &read);
@@ -65,8 +65,8 @@ vs_status vs_bind_picture(vs_args *f, vs_value name, const vs_picture **out, con
   return keep_picture(f, kept, bytes, out);
 }
 
-/* Removes the sun from the EXR or HDR picture of a sky. Sets *out to the picture without sun, or to NULL if it shows no
- * sun. */
+/* Removes the sun from an EXR or HDR picture of a sky. Sets *out to the picture without the sun, or to NULL if the
+ * picture shows no sun. */
 static vs_status take_sun(vs_args *f, const char *shown, const char *whole, const vs_bytes *bytes, bool exr,
                           const vs_picture **out, vs_panorama_sun *sun) {
   static const char *const wanted[] = { "R", "G", "B", NULL };
@@ -126,7 +126,7 @@ vs_status vs_bind_lamp_file(vs_args *f, vs_value name, const vs_picture **out) {
 
 /* ---- names of the prefabs, whose files prefabs.scm runs ---- */
 
-/* (prefab-names): returns the names of the prefabs in alphabetical order, as their files are stored. */
+/* (prefab-names): returns the names of the prefabs in alphabetical order, the order in which their files are stored. */
 vs_status vs_p_prefab_names(vs_args *f, vs_value *out) {
   static const char folder[] = "prefabs/", ending[] = ".vs";
   const size_t before = sizeof folder - 1, after = sizeof ending - 1;

@@ -11,8 +11,8 @@
 #include "geometry/files/raster.h"
 #include "vm/machine/fail.h"
 
-/* Reads rows of numbers; the first row has the least y. As in a picture, the samples are stored from the greatest y
- * downwards. */
+/* Reads rows of numbers; the first row has the least y. The samples are stored as those of a picture, from the greatest
+ * y downwards. */
 static vs_status rows_of(vs_args *f, vs_value rows, vs_raster *out) {
   int64_t count = vs_list_length(rows), columns = count > 0 ? vs_list_length(vs_car(rows)) : 0;
   if (count < 0 || (count > 0 && columns < 0))
@@ -56,8 +56,8 @@ static vs_status picture_of(vs_args *f, const char **name, vs_raster *out) {
   return VS_OK;
 }
 
-/* Creates a height field over the rectangle from argument 1 to argument 2. scaled: the values from 0 to 1 become
- * heights from low to high. */
+/* Creates a height field over the rectangle whose opposite corners are arguments 1 and 2. scaled: whether values from 0
+ * to 1 are converted to heights from low to high. */
 static vs_status field(vs_args *f, const char *name, const vs_raster *r, bool scaled, double low, double high,
                        vs_value *out) {
   vs_vec3 p = f->arg[1].point, q = f->arg[2].point, least = { fmin(p.x, q.x), fmin(p.y, q.y), p.z },

@@ -15,7 +15,7 @@
 #include "vm/library/port.h"
 #include "vm/machine/activation.h"
 
-/* Reads a font file through the host. Its name is relative to the program, like that of a loaded file. */
+/* Reads a font file through the host. Its name is relative to the folder of the program's file. */
 static vs_status font_file(vs_args *f, const vs_arg *font, const char **out) {
   vs_scheme *vm = f->vm;
   vs_text path;
@@ -41,8 +41,8 @@ static vs_status font_of(vs_args *f, const vs_arg *font, const char **out) {
   return vs_font_get(f->store, *out, &e) ? VS_OK : vs_bind_error(f->vm, &e);
 }
 
-/* Returns the element of `words` that equals the argument, or the first element if the argument is absent. If none
- * equals it, sets the error and returns NULL. */
+/* Returns the element of `words` that equals argument a, or the first element if a is absent. If none equals a, sets
+ * the error and returns NULL. */
 static const char *word_of(vs_args *f, const char *param, const vs_arg *a, const char *const *words,
                            const char *expected) {
   if (!a->given) return words[0];
@@ -52,7 +52,7 @@ static const char *word_of(vs_args *f, const char *param, const vs_arg *a, const
   return NULL;
 }
 
-/* Replaces the spelling "centre" by "center", and stores the word, as nodes require. */
+/* Replaces the spelling "centre" of *word by "center", and interns the word in the store, as nodes require. */
 static bool kept_word(vs_args *f, const char **word) {
   if (!strcmp(*word, "centre")) *word = "center";
   *word = vs_store_text(f->store, *word, strlen(*word));
@@ -123,7 +123,7 @@ static const native_target targets[] = {
 
 enum { DEPTH_MAX = 256 };
 
-/* Returns true if the word after # requires an #end. */
+/* Returns true if the directive `word`, which follows a #, must be closed by an #end. */
 static bool opens(const char *word, size_t length) {
   static const char *const words[] = { "if", "ifdef", "ifndef", "while", "for", "switch", "macro" };
   for (size_t i = 0; i < sizeof words / sizeof *words; i++)
@@ -137,7 +137,7 @@ static size_t word_length(const char *at) {
   return n;
 }
 
-/* Returns the fault of the text as words for a message, or NULL if it is complete. */
+/* Returns a fault of the text, such as an open brace, in words for a message, or NULL if there is none. */
 static const char *trouble(const native_target *t, const char *text) {
   char open[DEPTH_MAX];
   size_t depth = 0, directives = 0, comment = strlen(t->comment);

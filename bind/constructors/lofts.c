@@ -1,5 +1,5 @@
 /* Implements revolutions, lofts and surfaces, which are made from profiles and grids of points. Each object is meshed
- * coarsely when it is created, so that an error is reported at the constructor's call. */
+ * coarsely when it is created, so that an error in it is reported at the constructor's call. */
 
 #include <stdio.h>
 
@@ -73,7 +73,8 @@ vs_status vs_p_do_revolve(vs_args *f, vs_value *out) {
 
 /* ---- lofts ---- */
 
-/* Removes empty sections from a loft. If fewer than two remain, sets *count to 0 and *out to the empty object. */
+/* Removes empty sections from the loft's sections in `all`. If fewer than two remain, sets *count to 0 and *out to the
+ * empty object. */
 static vs_status sections(vs_args *f, vs_ref *all, size_t *count, vs_value *out) {
   size_t given = *count, n = 0;
   const vs_origin *origin = vs_bind_origin(f->bind);
@@ -104,8 +105,8 @@ vs_status vs_p_do_loft(vs_args *f, vs_value *out) {
   struct vs_loft d = { .start_angle = f->arg[1].given ? REAL(1) : 0, .start_hold = f->arg[2].given ? REAL(2) : 0,
                        .end_angle = f->arg[3].given ? REAL(3) : 0, .end_hold = f->arg[4].given ? REAL(4) : 0 };
   size_t n = f->arg[0].refs.count;
-  if (d.start_hold == 0) d.start_angle = 0; /* a hold is the length of the loft's given direction at the start; if it is
-                                             * 0, the start angle has no effect */
+  if (d.start_hold == 0) d.start_angle = 0; /* start_hold is the length along which the loft follows start_angle; if it
+                                             * is 0, the angle has no effect */
   if (d.end_hold == 0) d.end_angle = 0;
   if (!sections(f, f->arg[0].refs.at, &n, out)) return VS_ERROR;
   return n ? loft(f, VS_LOFT, &d, f->arg[0].refs.at, n, out) : VS_OK;
@@ -145,8 +146,8 @@ vs_status vs_p_do_guided_loft(vs_args *f, vs_value *out) {
 
 typedef struct { vs_vec3 *at; size_t rows, columns; vs_value bad; size_t bad_row, bad_column; bool bad_point; } grid;
 
-/* Reads rows of points. If it fails, returns VS_ERROR. Either the error is set, or an element is no point: g->bad_point
- * is then true, and g contains the element and its position. */
+/* Reads rows of points. On failure returns VS_ERROR, with the error set, unless an element is no point. Then
+ * g->bad_point is true, and g contains the element and its position. */
 static vs_status read_rows(vs_args *f, vs_value v, grid *g) {
   int64_t rows = vs_list_length(v), columns = rows > 0 ? vs_list_length(vs_car(v)) : 0;
   *g = (grid){ 0 };
@@ -205,8 +206,8 @@ vs_status vs_p_make_mesh(vs_args *f, vs_value *out) {
   return read_rows(f, f->arg[0].value, &g) ? make_grid(f, VS_GRID_MESH, &g, out) : bad_point(f, &g);
 }
 
-/* (%make-surface rows u0 u1 v0 v1): rows are the points that the user's procedure returned for these ranges of u and v.
- * The ranges are #f if the user gave the rows. */
+/* (%make-surface rows u0 u1 v0 v1): creates a surface from rows of points. If the user's procedure has computed the
+ * points, u0 to u1 and v0 to v1 are the ranges of its arguments; otherwise they are #f. */
 vs_status vs_p_make_surface(vs_args *f, vs_value *out) {
   grid g;
   double range[4];

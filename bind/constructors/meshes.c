@@ -1,5 +1,5 @@
-/* Creates objects from faces, which the program lists or reads from a file. Checks the faces, and repairs them if
- * requested. */
+/* Creates objects from faces, which the program lists or reads from a file. Checks the faces, and repairs them if the
+ * program requests it. */
 #include "bind/build.h"
 #include "bind/call/call.h"
 #include "bind/call/raise.h"
@@ -27,7 +27,8 @@
 /* ---- checking faces ---- */
 
 /* Returns true if every corner lies on or below the plane of every face. The mesh, a single closed surface, is then
- * convex. Also returns false for large meshes, since the time grows with the product of corners and faces. */
+ * convex. Returns false for large meshes without testing them, since the time grows with the product of corners and
+ * faces. */
 static bool is_convex(const vs_mesh *m) {
   if (m->triangle_count != 2 * m->vertex_count - 4 || m->triangle_count * m->vertex_count > 4096) return false;
   vs_bounds b = vs_mesh_bounds(m);
@@ -48,7 +49,7 @@ static void place_text(char text[112], vs_vec3 p) {
 }
 
 /* Checks a polyface mesh for faults. mesh: its triangles, tagged by face; if it is empty, the function computes them.
- * Sets *flawless to whether no faces overlap. */
+ * Sets *flawless to true if no faces overlap. */
 static vs_status inspect(vs_args *f, vs_node *n, vs_mesh *mesh, vs_mesh_flaws *flaws, bool *flawless) {
   const struct vs_polyface_mesh *d = VS_AS(polyface_mesh, n);
   vs_kernel_counts counts = { 0 };
@@ -121,8 +122,8 @@ static bool list_of_mesh(vs_face_list *l, const vs_mesh *m) {
   return ok;
 }
 
-/* Appends "VERB 3 THINGs" to the text at position `at`, after a comma if the text is not empty. Appends nothing if
- * count is 0. Returns the new end. */
+/* Appends a text such as "dropped 3 faces" (verb, count, thing) at position `at`, after a comma if the text is not
+ * empty. Appends nothing if count is 0. Returns the position of the text's new end. */
 static size_t note(char *text, size_t room, size_t at, size_t count, const char *verb, const char *thing) {
   if (!count) return at;
   int n = snprintf(text + at, room - at, "%s%s %zu %s%s", at ? ", " : "", verb, count, thing, count == 1 ? "" : "s");
@@ -157,8 +158,8 @@ vs_status vs_bind_whole_faces(vs_args *f, const char *file, vs_face_list *l, boo
   return ok;
 }
 
-/* Repairs the faces, and sets *out to a new node of them, which may be empty. A warning lists the repairs. Sets *sheet
- * if the result is a surface, or encloses no volume after its holes were closed. */
+/* Repairs the faces in l, and sets *out to a new node of them, which may be empty. A warning lists the repairs. Sets
+ * *sheet to true if the result is a surface, or if the faces enclose no volume even after holes were closed. */
 static vs_status repaired(vs_args *f, const char *file, vs_face_list *l, bool *sheet, vs_node **out) {
   vs_repair_notes notes;
   vs_error e = { 0 };
@@ -180,10 +181,10 @@ static vs_status repaired(vs_args *f, const char *file, vs_face_list *l, bool *s
   return VS_OK;
 }
 
-/* ---- faces given one by one ---- */
+/* ---- faces that the program lists ---- */
 
 /* Sets *out to the object of n, whose reference it takes over. sheet: whether the faces form a surface. If n is empty,
- * this decides between the empty surface and the empty solid. */
+ * `sheet` determines whether *out is the empty surface or the empty solid. */
 static vs_status finished(vs_args *f, vs_node *n, bool sheet, vs_value *out) {
   if (!vs_node_is_empty(n)) return vs_bind_give_node(f, n, out);
   vs_node_release(n);
@@ -261,12 +262,12 @@ vs_status vs_p_make_irregular_pyramid(vs_args *f, vs_value *out) {
   if (!at || !starts || !corner) return VS_ERROR;
   memcpy(at, f->arg[0].points.at, n * sizeof *at);
   at[n] = POINT(1);
-  vs_vec3 spread = { 0, 0, 0 }; /* sum of the normals of the base's triangles; its length is twice the area of the
+  vs_vec3 spread = { 0, 0, 0 }; /* sum of the normals of the base's triangles; its length is twice the area of a flat
                                  * base */
   for (size_t i = 1; i + 1 < n; i++)
     spread = vs_v3_add(spread, vs_v3_cross(vs_v3_sub(at[i], at[0]), vs_v3_sub(at[i + 1], at[0])));
-  /* size of the base; height of the apex above its plane; greatest distance of a base corner from the plane; twice the
-   * area of the largest triangle tried. */
+  /* size: greatest distance of a base corner from the first; up: height of the apex above the base's plane; off:
+   * greatest distance of a base corner from this plane; widest: twice the area of the largest triangle tried. */
   double size = 0, up = 0, off = 0, widest = 0;
   vs_vec3 normal = vs_v3_unit(spread);
   for (size_t i = 1; i < n; i++) {
@@ -285,8 +286,8 @@ vs_status vs_p_make_irregular_pyramid(vs_args *f, vs_value *out) {
   up = fabs(vs_v3_dot(normal, vs_v3_sub(at[n], at[0])));
   if (up <= 1e-12 * size) return vs_bind_empty(f, "the apex lies in the plane of the base", out);
   starts[0] = 0;
-  /* The base is clockwise seen from above, so that it faces downwards. If the apex is below the base, all faces are
-   * reversed later. */
+  /* The base is clockwise as seen from above, so that its face points downwards. If the apex is below the base, all
+   * faces are reversed later. */
   for (size_t i = 0; i < n; i++) corner[i] = (uint32_t)(n - 1 - i);
   starts[1] = (uint32_t)n;
   for (size_t i = 0; i < n; i++) {
@@ -308,7 +309,7 @@ vs_status vs_p_make_3dface(vs_args *f, vs_value *out) {
   if (n == 4) b = vs_v3_length(vs_v3_cross(vs_v3_sub(at[2], at[0]), vs_v3_sub(at[3], at[0])));
   double nothing = 1e-14 * size * size;
   if (a <= nothing && b <= nothing) return vs_bind_empty(f, "all corners are on one line", out);
-  /* If the first of the quadrilateral's two triangles has no area, only the second is used. */
+  /* If the first of a quadrilateral's two triangles has no area, only the second triangle is used. */
   if (n == 4 && a <= nothing) memcpy(corner, corner + 3, sizeof corner / 2), b = 0;
   return polyface(f, &(vs_polygons){ at, n, starts, corner, n == 4 && b > nothing ? 2 : 1 }, out);
 }

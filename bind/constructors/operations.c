@@ -42,8 +42,8 @@ static vs_status same(vs_args *f, vs_ref ref, vs_value *out) {
 
 typedef enum { AREAS_NOT, AREAS_APART, AREAS_ONE_PLANE } areas;
 
-/* Classifies the objects: areas in one plane, areas in several planes, or other objects. Empty objects are ignored. If
- * there are several planes, *a and *b are two different planes among them. */
+/* Classifies the objects: areas (regions and closed curves) in one plane, areas in several planes, or other objects.
+ * Empty objects are ignored. If there are several planes, *a and *b are two of them that differ. */
 static areas look_at_areas(const vs_ref *ref, size_t n, vs_shape_plane *a, vs_shape_plane *b) {
   bool any = false;
   for (size_t i = 0; i < n; i++) {
@@ -62,8 +62,8 @@ static areas look_at_areas(const vs_ref *ref, size_t n, vs_shape_plane *a, vs_sh
   return any ? AREAS_ONE_PLANE : AREAS_NOT;
 }
 
-/* Refuses a closed curve that intersects itself. Regions need no test, since their constructor has made it. Open curves
- * may intersect themselves. */
+/* Refuses a closed curve that intersects itself. Regions need no test, since make-region has already made it. Open
+ * curves may intersect themselves. */
 vs_status vs_bind_uncrossed(vs_args *f, vs_ref ref, const char *what) {
   const vs_node *n = ref.node;
   vs_crossing x;
@@ -107,7 +107,7 @@ vs_status vs_p_unite(vs_args *f, vs_value *out) {
 
 static void plane_text(const vs_shape_plane *p, char out[160]) {
   char n[6][32];
-  /* The point of the plane that is nearest the origin: the same point for all figures in the plane. */
+  /* The point of the plane that is nearest to the origin. It is the same for all figures in the plane. */
   vs_vec3 at = vs_v3_scale(p->normal, vs_v3_dot(p->normal, p->point));
   const double d[6] = { p->normal.x, p->normal.y, p->normal.z, at.x, at.y, at.z };
   for (int i = 0; i < 6; i++) vs_bind_number_text(n[i], round(d[i] * 1e6) / 1e6 + 0.0);
@@ -115,8 +115,8 @@ static void plane_text(const vs_shape_plane *p, char out[160]) {
            n[2]);
 }
 
-/* Checks the operands of intersect and subtract: either solids, or regions and closed curves. Replaces the closed
- * curves in the array by regions. */
+/* Checks that the operands of intersect and subtract are either solids, or regions and closed curves. Replaces closed
+ * curves in the array by the regions that they enclose. */
 static vs_status filled(vs_args *f, vs_ref *ref, size_t n) {
   bool planar = false, solid = false;
   vs_shape_plane a, b;
@@ -197,8 +197,8 @@ vs_status vs_p_do_scale(vs_args *f, vs_value *out) {
 vs_status vs_p_do_mirror(vs_args *f, vs_value *out) {
   return placed(f, vs_affine_mirror(f->arg[1].line.at, f->arg[1].line.direction), out);
 }
-/* Slices an object. A solid is intersected with the half-space, a region with the half-plane in its plane. A curve or
- * surface becomes a node of kind SLICE. */
+/* Slices an object with a plane. A solid is intersected with the half-space, a region with the half-plane in the
+ * region's plane. A curve or surface becomes a node of kind SLICE. */
 vs_status vs_p_do_slice(vs_args *f, vs_value *out) {
   struct vs_half_space h = { .point = f->arg[1].line.at, .normal = vs_v3_unit(f->arg[1].line.direction) };
   vs_ref pair[2] = { f->arg[0].ref };
@@ -225,13 +225,14 @@ vs_status vs_p_do_transform(vs_args *f, vs_value *out) {
   return placed(f, f->arg[1].matrix, out);
 }
 
-/* (do-resize o dx dy dz): scales the object so that its bounding box has these sizes, without moving the box's least
- * corner. An axis with #f is scaled by the factor of the other given axis, or by the geometric mean of two. */
+/* (do-resize o dx dy dz): scales the object so that its bounding box has these sizes; the box's least corner does not
+ * move. If an axis has #f, its factor is that of the other axis that is given, or the geometric mean of the factors of
+ * two given axes. */
 vs_status vs_p_do_resize(vs_args *f, vs_value *out) {
   static const char *const names[] = { "o", "dx", "dy", "dz" };
   vs_bounds b;
   if (vs_node_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);
-  vs_ref whole = f->arg[0].ref; /* the object to be placed, as the user made it; its bounds are computed from a form
+  vs_ref whole = f->arg[0].ref; /* the object to be scaled, as the user made it; its bounds are computed from a form
                                  * without sections and shadows */
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0) || !vs_bind_drawn_bounds(f, 0, &b)) return VS_ERROR;
   f->arg[0].ref = whole;
@@ -256,7 +257,8 @@ vs_status vs_p_do_resize(vs_args *f, vs_value *out) {
   return placed(f, vs_affine_scaling(b.min, vs_v3(k[0], k[1], k[2])), out);
 }
 
-/* (hull o ...): creates a solid; a region if all points lie in one plane; a line if they lie on one line. */
+/* (hull o ...): creates the convex hull: a solid; a region if all points lie in one plane; a line if they lie on one
+ * line. */
 vs_status vs_p_hull(vs_args *f, vs_value *out) {
   vs_ref *child = f->arg[0].things.at;
   size_t count = 0;
@@ -280,8 +282,8 @@ vs_status vs_p_hull(vs_args *f, vs_value *out) {
   vs_cloud cloud = { 0 };
   vs_error e = { 0 };
   vs_status ok = VS_OK;
-  /* whole: the hull node. Only when its sections and shadows are computed is it known whether the hull is a solid, a
-   * region or a line */
+  /* whole: the hull node. Whether it is a solid, a region or a line is known only after sections and shadows in it are
+   * computed. */
   vs_ref whole = { vs_node_retain(made), vs_bind_origin(f->bind) };
   vs_kernel_options options = { .job = vs_bind_job(f->vm) };
   if (!vs_resolve(&whole, 1, &(vs_fineness){ .tolerance = 0 }, &options, &e) || !vs_node_bounds(whole.node, &b, &e) ||
@@ -322,8 +324,8 @@ static vs_status check_twist(vs_args *f, double twist, vs_value got) {
   return vs_bind_refuse(f, "twist", "at most 1000 turns (6283 radians)", got);
 }
 
-/* Checks a profile: a region or closed curve must lie in a plane. If it has no area, sets *empty, and *out to the empty
- * object. */
+/* Checks a profile: a region or closed curve must lie in a plane. If its area is 0, sets *empty to true, and *out to
+ * the empty object. */
 static vs_status check_profile(vs_args *f, vs_shape_plane *plane, bool *empty, vs_value *out) {
   const vs_node *n = NODE(0);
   *empty = false;
@@ -337,8 +339,9 @@ static vs_status check_profile(vs_args *f, vs_shape_plane *plane, bool *empty, v
   return vs_bind_refuse(f, "profile", "in one plane", f->arg[0].value);
 }
 
-/* Samples a curve coarsely. LEAVES_PLANE: sets *out to whether it leaves the plane through its start with the given
- * normal. LEAVES_LINE: whether it leaves the line through its start in the given direction. */
+/* Tests a curve by coarse samples. LEAVES_PLANE: sets *out to true if the curve leaves the plane through its start with
+ * the given normal. LEAVES_LINE: sets *out to true if the curve leaves the line through its start in the given
+ * direction. */
 typedef enum { LEAVES_PLANE, LEAVES_LINE } leaving;
 static vs_status leaves(vs_args *f, const vs_node *curve, leaving what, vs_vec3 direction, bool *out) {
   vs_fineness coarse = { 1e300, 8 };
@@ -357,7 +360,7 @@ static vs_status leaves(vs_args *f, const vs_node *curve, leaving what, vs_vec3 
   return VS_OK;
 }
 
-/* Sets *out to whether the curve is one straight line, and *way to the vector from its start to its end. */
+/* Sets *out to true if the curve is one straight line, and *way to the vector from its start to its end. */
 static vs_status is_straight(vs_args *f, const vs_node *curve, vs_vec3 *way, bool *out) {
   vs_fineness coarse = { .segments = 32 };
   vs_polyline line = { 0 };
@@ -382,8 +385,8 @@ static bool check_taper(vs_args *f, const struct vs_extrude *d) {
   return true;
 }
 
-/* Checks that the curve rises from the profile's plane along its whole length, since a taper depends on the height
- * above this plane. */
+/* Checks that the extrusion's curve rises from the profile's plane along its whole length, since a taper depends on the
+ * height above this plane. */
 static bool check_rising(vs_args *f, const vs_node *curve, vs_vec3 normal) {
   vs_fineness coarse = { .segments = 64 };
   vs_polyline line = { 0 };
@@ -444,7 +447,7 @@ vs_status vs_p_do_extrude(vs_args *f, vs_value *out) {
       char x[32], y[32], z[32];
       vs_bind_number_text(x, round(n.x * 1e6) / 1e6), vs_bind_number_text(y, round(n.y * 1e6) / 1e6),
           vs_bind_number_text(z, round(n.z * 1e6) / 1e6);
-      /* The error suggests a correction: the user probably drew an arch in the ground plane, and gave the depth of the
+      /* The error suggests a correction: the user probably drew an arch in the ground plane, and gave the depth of its
        * wall as a gvector. */
       bool flat_arch = fabs(n.z) > .999999 && vs_is_flat(f->arg[1].value, VS_FLAT_VECTOR);
       const char *cure = "";

@@ -7,9 +7,10 @@
 
 typedef struct vs_args vs_args;
 
-/* Refuses a closed curve that intersects itself. The last argument is the curve's noun in the error. */
+/* Refuses a closed curve that intersects itself. what: the curve's noun in the error. */
 vs_status vs_bind_uncrossed(vs_args *f, vs_ref ref, const char *what);
-/* If all objects are regions and closed curves in one plane, replaces the closed curves in the array by regions. */
+/* If all `n` objects are regions and closed curves in one plane, replaces the closed curves in the array by the regions
+ * that they enclose. */
 vs_status vs_bind_fill(vs_args *f, vs_ref *ref, size_t n);
 
 #endif

@@ -41,8 +41,8 @@ static const char *point_text(vs_vec3 p, char out[112]) {
 
 /* ---- joining curves end to end ---- */
 
-/* Replaces, in the list of argument 0, each union of curves by its curves, and the edges of a solid by single curves.
- * The list is freed when the call ends. */
+/* In the list of curves that is argument 0, replaces each union of curves and each solid of edges by single curves. The
+ * list is freed when the call ends. */
 static vs_status each_apart(vs_args *f) {
   vs_arg given = f->arg[0];
   vs_ref *refs = given.refs.at, *all = NULL;
@@ -75,8 +75,8 @@ static vs_status each_apart(vs_args *f) {
   return status;
 }
 
-/* Sets *out to the curves of the first argument, without empty curves, and with open curves joined. The list is freed
- * when the call ends. */
+/* Sets *out to the curves of the first argument: empty curves are omitted, and open curves are joined end to end. The
+ * list is freed when the call ends. */
 static vs_status joined(vs_args *f, vs_ref **out, size_t *count) {
   if (!each_apart(f)) return VS_ERROR;
   vs_ref *c = f->arg[0].refs.at;
@@ -145,7 +145,7 @@ vs_status vs_p_make_region(vs_args *f, vs_value *out) {
     if (planes == VS_PLANE_NONE)
       return vs_fail(f->vm, f->vm->sym.type, "curves must lie in one plane; curve %lu leaves every plane",
                      (unsigned long)i + 1);
-    if (planes == VS_PLANE_MANY) continue; /* all curves up to this one lie on one line: they enclose no area */
+    if (planes == VS_PLANE_MANY) continue; /* all curves so far lie on one line, and enclose no area */
     if (kept && !vs_plane_same(&first, &here)) {
       char other[112];
       return vs_fail(
@@ -182,7 +182,8 @@ vs_status vs_p_make_ray(vs_args *f, vs_value *out) {
 
 /* ---- offsets ---- */
 
-/* Sets *count to the number of closed curves of which the offset curve n consists; if n is an open curve, to 0 or 1. */
+/* Sets *count to the number of closed curves in the offset curve n. If the offset curve is open, sets *count to 1, or
+ * to 0 if nothing remains. */
 static bool what_is_left(const vs_node *n, size_t *count, vs_error *e) {
   vs_bounds b;
   vs_offset_exact exact;

@@ -8,14 +8,14 @@
 #include <stdio.h>
 
 /* Writes the call that was probably meant if numbers were given in place of a point, a gvector or factors: (do-move o
- * (vxyz 1 0 0)) for (do-move o 1 0 0). Returns false if this form of the procedure permits no such grouping. */
+ * (vxyz 1 0 0)) for (do-move o 1 0 0). Returns false if this form of the procedure has no parameters that fit so. */
 static bool group_numbers(vs_scheme *vm, const vs_form *form, const vs_plain_call *call, char *text, size_t room) {
   const vs_value *a = call->at;
   const int n = call->count;
   int used = 0, groups = 0;
   size_t at = (size_t)snprintf(text, room, "(%s", call->name);
   for (const vs_bind_param *p = form->at; p->mode != VS_ARG_END && used < n; p++) {
-    int left = 0; /* number of arguments that the required parameters after the current parameter need */
+    int left = 0; /* number of arguments that the required parameters after the current one need */
     for (const vs_bind_param *q = p + 1; q->mode == VS_ARG_REQUIRED; q++) left++;
     double d[3];
     int numbers = 0;
@@ -47,7 +47,7 @@ static bool group_numbers(vs_scheme *vm, const vs_form *form, const vs_plain_cal
 }
 
 bool vs_bind_grouped(vs_scheme *vm, const vs_procedure *p, const vs_plain_call *call, char *text, size_t room) {
-  for (int i = VS_MAX_FORMS; i-- > 0;) /* tries the last form first, because it is the longest */
+  for (int i = VS_MAX_FORMS; i-- > 0;) /* tries the procedure's forms from the last, which is the longest */
     if (p->form[i].used && group_numbers(vm, &p->form[i], call, text, room)) return true;
   return false;
 }

@@ -1,5 +1,5 @@
 /* Implements the procedures that create solids. A procedure whose solid would have no volume returns the empty object,
- * and warns once for each place of a call. */
+ * and warns once for each place of a call in the program. */
 #include "bind/build.h"
 #include "bind/call/call.h"
 #include "bind/call/precision.h"
@@ -8,14 +8,15 @@
 #define REAL(i) (f->arg[i].real)
 #define POINT(i) (f->arg[i].point)
 
-static int32_t segments(const vs_args *f) { /* returns the facets of a full turn; 0: computed from the tolerance */
+static int32_t segments(const vs_args *f) { /* returns the number of facets of a full turn; 0: it is computed from the
+                                             * tolerance */
   return f->key[0].given ? (int32_t)f->key[0].integer : vs_bind_segments(f->vm);
 }
 
 /* ---- boxes and wedges ---- */
 
-/* Computes the corners of a box or wedge from either form of the arguments. Returns false if the solid has no
- * volume. */
+/* Computes two opposite corners of a box or wedge from either form of the arguments: two points, or a point and sizes.
+ * Returns false if the solid has no volume. */
 static bool corners(const vs_args *f, vs_vec3 *least, vs_vec3 *most) {
   vs_vec3 p = POINT(0), q;
   if (f->form == 0) q = POINT(1);
@@ -28,7 +29,7 @@ static bool corners(const vs_args *f, vs_vec3 *least, vs_vec3 *most) {
   return least->x < most->x && least->y < most->y && least->z < most->z;
 }
 
-/* Refuses negative sizes. If two corners are given instead of sizes, their order does not matter. */
+/* Refuses negative sizes. The order of two corner points does not matter. */
 static vs_status refuse_sizes(vs_args *f) {
   static const char *const names[] = { "c", "dx", "dy", "dz" };
   if (f->form == 1)
@@ -106,7 +107,7 @@ vs_status vs_p_make_e_cone(vs_args *f, vs_value *out) {
 
 vs_status vs_p_make_superellipsoid(vs_args *f, vs_value *out) {
   struct vs_superellipsoid d = { .e = REAL(0), .n = REAL(1), .size = REAL(2), .segments = segments(f) };
-  const double least = 0.001, most = 20; /* bounds of a superellipsoid's exponents: outside them the shape looks like a
+  const double least = 0.001, most = 20; /* bounds of a superellipsoid's exponents: outside them the shape is nearly a
                                           * box or vanishes, and powers overflow or underflow */
   if (d.e < least || d.e > most) return vs_bind_refuse(f, "e", "from 0.001 to 20", f->arg[0].value);
   if (d.n < least || d.n > most) return vs_bind_refuse(f, "n", "from 0.001 to 20", f->arg[1].value);

@@ -7,7 +7,7 @@
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
 
-/* The kinds of views that a program can name, each with its projection and its cut. */
+/* The kinds of views that a program can name: name, projection and kind of cut. */
 static const struct { const char *name; vs_view view; vs_cut cut; } kinds[] = {
   { "perspective", VS_VIEW_CAMERA, VS_CUT_NONE }, { "panorama", VS_VIEW_PANORAMA, VS_CUT_NONE },
   { "axonometric", VS_VIEW_ALONG, VS_CUT_NONE },  { "isometric", VS_VIEW_ISO, VS_CUT_NONE },
@@ -43,7 +43,7 @@ static bool is_sheet(const char *name) {
   return strcmp(name, "none") == 0;
 }
 
-/* Sets the eye and the target of the view from its kind, #:from and #:to. */
+/* Sets the eye and the target of the view v from the arguments #:from and #:to, if this kind of view needs them. */
 static vs_status take_place(vs_args *f, vs_scene_view *v, const vs_arg *from, const vs_arg *to) {
   bool round = v->view == VS_VIEW_PANORAMA;
   bool pointed = round || v->view == VS_VIEW_CAMERA || (v->view == VS_VIEW_ALONG && v->cut != VS_CUT_PLANE);
@@ -77,8 +77,8 @@ static vs_status take_cut(vs_args *f, vs_scene_view *v, const vs_arg *cut) {
   return VS_OK;
 }
 
-/* Sets the aperture of the view's camera, and the point in focus, which is the target unless the program gives
- * another. */
+/* Sets the aperture of the view's camera, and the point that is in focus: the target, unless the program gives another
+ * point. */
 static vs_status take_aperture(vs_args *f, vs_scene_view *v, const vs_arg *aperture, const vs_arg *focus) {
   v->focus = focus->given ? focus->point : v->target;
   v->aperture = aperture->given ? aperture->real : 0;
@@ -89,7 +89,7 @@ static vs_status take_aperture(vs_args *f, vs_scene_view *v, const vs_arg *apert
   return VS_OK;
 }
 
-/* Sets whether vertical edges of the model are vertical in the picture. */
+/* Sets whether vertical edges of the model are drawn vertically in the picture. */
 static vs_status take_upright(vs_args *f, vs_scene_view *v, const vs_arg *upright) {
   vs_vec3 ahead = vs_v3_sub(v->target, v->eye);
   v->upright = upright->given && upright->boolean;
@@ -99,7 +99,7 @@ static vs_status take_upright(vs_args *f, vs_scene_view *v, const vs_arg *uprigh
 }
 
 vs_status vs_p_camera(vs_args *f, vs_value *out) {
-  const vs_arg *k = f->key; /* the call's keywords in order: lens upright aperture focus */
+  const vs_arg *k = f->key; /* the call's keywords in order: lens, upright, aperture, focus */
   vs_scene_view v = { .view = VS_VIEW_CAMERA, .eye = f->arg[0].point, .target = f->arg[1].point };
   (void)out;
   if (vs_v3_equal(v.eye, v.target)) return vs_bind_refuse(f, "target", "another point than eye", f->arg[1].value);
@@ -110,8 +110,8 @@ vs_status vs_p_camera(vs_args *f, vs_value *out) {
 }
 
 vs_status vs_p_view(vs_args *f, vs_value *out) {
-  const vs_arg *k = f->key; /* the call's keywords in order: from to lens upright cut scale sheet hidden aperture
-                             * focus */
+  const vs_arg *k = f->key; /* the call's keywords in order: from, to, lens, upright, cut, scale, sheet, hidden,
+                             * aperture, focus */
   vs_scene_view v = { .view = VS_VIEW_CAMERA, .cut = VS_CUT_NONE, .lens = 35 };
   (void)out;
   if (!is_name(&f->arg[0])) return vs_bind_refuse(f, "name", "a name of 1 to 100 letters, without / and line breaks",
@@ -145,7 +145,7 @@ static vs_status add_note(vs_args *f, vs_scene_note note, const vs_arg *text, co
 }
 
 vs_status vs_p_dimension(vs_args *f, vs_value *out) {
-  const vs_arg *k = f->key; /* the call's keywords in order: offset text view */
+  const vs_arg *k = f->key; /* the call's keywords in order: offset, text, view */
   (void)out;
   if (vs_v3_equal(f->arg[0].point, f->arg[1].point)) return vs_bind_refuse(f, "q", "another point than p",
       f->arg[1].value);

@@ -1,9 +1,9 @@
 /* Implements points and gvectors of dual numbers (dual_points.h). A dual number carries the derivative of its value.
  *
- * A dual point is a dual number whose value is a point and whose slope is a gvector. Each procedure in this file splits
- * its arguments into coordinates, which are numbers or dual numbers. It computes with the arithmetic of numbers, and
- * joins the results to a point. Nested dual numbers therefore need no special code. Coordinates are kept in roots of
- * the garbage collector. */
+ * A dual point is a dual number whose value is a point and whose slope (derivative) is a gvector. Each procedure in
+ * this file splits its arguments into coordinates, which are numbers or dual numbers. It computes with the arithmetic
+ * of numbers, and joins the results to a point. Nested dual numbers therefore need no special code. Coordinates are
+ * kept in roots of the garbage collector. */
 #include "bind/functions/dual_points.h"
 
 #include <math.h>
@@ -24,7 +24,8 @@ static bool coordinate(vs_scheme *vm, vs_value v, int i, vs_value *out) {
          vs_make_dual(vm, vs_fixnum(vs_as_dual(r[0])->level), r[1], r[2], out);
 }
 
-/* Creates the value of kind `tag` from three coordinates. `at` points to roots. */
+/* Sets *out to a point or gvector (tag) with three coordinates, which may be dual. `at` points to roots of the garbage
+ * collector. */
 static bool together(vs_scheme *vm, uint32_t tag, const vs_value *at, vs_value *out) {
   int64_t level = vs_dual_level(at, 3);
   if (level < 0) {
@@ -80,8 +81,8 @@ typedef enum {
 
 /* The procedures that accept dual numbers. `shape` has a letter for each argument: p for a point or gvector, n for a
  * number. `tag` is the kind of the result, 0 for a number. `with` has a bit for each coordinate that a number argument
- * sets. For a procedure that returns a coordinate, `with` is the coordinate's index. If numbers follow a p, they are
- * added to this point. */
+ * sets. For a procedure that returns a coordinate, `with` is the index of this coordinate. If numbers follow a p, the
+ * result is that point plus the vector of the numbers. */
 static const struct {
   vs_procedure_fn *fn;
   const char *shape;
@@ -130,8 +131,8 @@ static const struct {
   { vs_p_radians_degrees, "n", TURNS, 0, 1 },
 };
 
-/* Computes a procedure from roots r of the garbage collector. r[0..2]: coordinates of the first point; r[3..5]: of the
- * second point; r[6..8]: the numbers; r[9..11]: the result; r[12..]: temporary values. */
+/* Computes row `row` of the table. r points to roots of the garbage collector. r[0..2]: coordinates of the first point;
+ * r[3..5]: of the second point; r[6..8]: the number arguments; r[9..11]: the result; r[12..]: temporary values. */
 static bool compute(vs_scheme *vm, size_t row, const char *shape, int n, vs_value *r, vs_value *out) {
   vs_value *p = r, *q = r + 3, *x = r + 6, *to = r + 9, *s = r + 12;
   bool ok = true, moved = shape[0] == 'p' && n > 1;

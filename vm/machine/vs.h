@@ -26,9 +26,8 @@
   A(checks)        /* queue of waiting checks (check_queue.h), or #t while a check runs */ \
   A(included)      /* list of pairs: number of a file, number of the file that includes it */ \
   A(lib)           /* values that vm/library keeps */ \
-  A(nearby)        /* identifier table or #f: for each undefined name in the program, the most similar local name, for
-                    * messages */ \
-                   /* identifier table or #f: names that a let binds and that are undefined outside it */ \
+  A(nearby)        /* identifier table or #f, for messages: maps an undefined name to the most similar local name, or to
+                    * itself if a let binds it */ \
   A(host)          /* values that bind/ keeps */ \
   A(standard_out) A(standard_in) A(standard_error)    /* the standard ports */ \
   A(flat_names)    /* vector: constructors of flat records (symbols or #f), indexed by the record's tag */ \
