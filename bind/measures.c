@@ -1,5 +1,5 @@
-/* Computes measures of objects: volume, area, length, centroid. Uses a formula if geometry/ has one. Otherwise uses the
- * mesh that formats write for the solid. */
+/* Computes measures of objects: volume, area, length, centroid. Uses a formula if geometry/ has one for the object.
+ * Otherwise uses the mesh that back-ends write for the solid. */
 #include "bind/measures.h"
 
 #include <stdlib.h>
@@ -68,9 +68,9 @@ bool vs_bind_drawn_bounds(vs_args *f, int i, vs_bounds *out) {
   return false;
 }
 
-/* ---- measures in the cache, so that a program that is evaluated again finds them ---- */
+/* ---- measures that the cache keeps, so that the next evaluation of a program finds them ---- */
 
-enum { SOLID_MEASURE /* SOLID_MEASURE + a: the cached value is the measure of a solid for vs_ask a */ };
+enum { SOLID_MEASURE /* the cached value SOLID_MEASURE + a is the measure of a solid for the vs_ask a */ };
 
 static bool known(vs_args *f, uint64_t what, const vs_fineness *facets, void *out, size_t size) {
   vs_cache *cache = vs_store_cache(f->store);
@@ -101,7 +101,7 @@ static vs_status measure_solid(vs_args *f, vs_measure *m, vs_ask ask) {
   return VS_OK;
 }
 
-/* Measures one or several surfaces by a fine mesh: their area and the centroid of this area. */
+/* Measures the area of one or several surfaces, and the centroid of this area, by a fine mesh. */
 static vs_status measure_surface(vs_args *f, vs_measure *m) {
   vs_error e = { 0 };
   vs_bounds b;
@@ -167,8 +167,8 @@ vs_status vs_p_volume(vs_args *f, vs_value *out) {
   return measure(f, &m, VS_ASK_VOLUME) && vs_bind_give_real(f, m.volume, out);
 }
 
-/* Replaces argument 0, a union of regions and curves, by the union of its regions, because curves have no area. Leaves
- * the argument unchanged if it has no regions, or has solids or surfaces. */
+/* If argument 0 is a union of regions and curves, replaces it by the union of its regions, because curves have no area.
+ * Does not change the argument if it has no regions, or has solids or surfaces. */
 static vs_status regions_alone(vs_args *f) {
   vs_ref *parts;
   size_t count, kept = 0;

@@ -9,15 +9,17 @@
 
 typedef struct vs_args vs_args;
 
-/* Callback of long computations; vm is the vs_scheme. On an interrupt, sets the error and returns false. */
+/* Callback for long computations; vm is the vs_scheme. Returns true to continue. On an interrupt, sets the error and
+ * returns false. */
 bool vs_bind_keep_going(void *vm, double done);
-/* Replaces sections, shadows and edges in argument i by the curves and regions that they represent. */
+/* Replaces sections, shadows and edges in argument i by the curves and regions that they stand for. */
 vs_status vs_bind_resolve(vs_args *f, int i);
-/* Sets *out to the bounds that (bounding-box o) returns for argument i, which must be finite and resolved. If it fails,
- * sets the error and returns false. */
+/* Sets *out to the bounds that (bounding-box o) returns for argument i. The argument must be finite, and its sections
+ * and shadows computed. If it fails, sets the error and returns false. */
 bool vs_bind_drawn_bounds(vs_args *f, int i, vs_bounds *out);
-/* Sets *out to the bounds of an object. For an object that is cut, these are the bounds of its parts. Resolves the
- * object if that is necessary. If it fails, sets *e and returns false. */
+/* Sets *out to the bounds of an object. Those of an intersection or difference are computed
+ * from the bounds of its operands. If the bounds
+ * require it, computes sections and shadows in the object first. If it fails, sets *e and returns false. */
 bool vs_bind_bounds(vs_scheme *vm, vs_ref ref, vs_bounds *out, vs_error *e);
 
 #endif

@@ -10,8 +10,8 @@
 #include "vm/values/text.h"
 
 /* Greatest number of callers in an origin (a call's place and its callers, innermost first). Eight callers suffice to
- * reach the user's own text, and limit the work for each object. A hash key finds an origin that is already known; the
- * places of a new origin are interned one by one. */
+ * reach the user's own text, and limit the work for each object. A hash of the calls finds an origin that is already
+ * known; the places of a new origin are interned one by one. */
 
 enum { CHAIN = 8 };
 
@@ -60,8 +60,8 @@ static const vs_origin *intern_chain(vs_bind *b, const vs_pos *place, size_t n) 
 const vs_origin *vs_bind_origin(vs_bind *b) {
   uint64_t key = vs_call_key(b->vm, CHAIN);
   size_t slot = key % (sizeof b->recent / sizeof *b->recent);
-  if (b->recent_collection != b->vm->collections) { /* the cache compares addresses of code objects, which a garbage
-                                                     * collection changes */
+  if (b->recent_collection != b->vm->collections) { /* the cache's hashes use addresses, which a garbage collection
+                                                     * changes */
     memset(b->recent, 0, sizeof b->recent);
     b->recent_collection = b->vm->collections;
   }

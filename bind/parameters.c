@@ -1,5 +1,5 @@
-/* Implements define-parameter, values that the command line, a slider or a host may set before the program runs, and
- * report, numbers that the host may get after the program has run. */
+/* Implements define-parameter and report. define-parameter declares values that the command line, a slider or a host
+ * may set before the program runs. report stores numbers that the host may read after the program has run. */
 #include "bind/parameters.h"
 
 #include <math.h>
@@ -77,16 +77,16 @@ static const char *type_name(vs_bind_parameter_type t) {
   return "one datum";
 }
 
-/* Refuses a parameter's value. set: the value came from the command line. Then the exit status is 2, and a note shows
- * the place of the parameter's definition. */
+/* Refuses a parameter's value. set: whether the value came from the command line. If it did, the exit status is 2, and
+ * a note shows the place of the parameter's definition. */
 static vs_status wrong(vs_args *f, bool set, const char *name, const char *must, const char *got) {
   f->bind->bad_parameter = set;
   return vs_fail_at(f->vm, f->vm->sym.range, vs_call_place(f->vm), VS_NIL, "parameter %s must be %s, got %s", name,
                     must, got);
 }
 
-/* Reads the coordinates of (xyz x y z) or (xy x y), which the reader has read as `list`. Returns false if it is no
- * point. */
+/* Sets xyz to the coordinates in `list`, the form (xyz x y z) or (xy x y) that the reader has read from `datum`.
+ * Returns false if the form is no point. */
 static bool point_setting(const vs_args *f, const char *datum, vs_value list, double xyz[3]) {
   const char *name = datum + strspn(datum, " (");
   size_t length = strcspn(name, " ()"), count = 0;
@@ -97,8 +97,9 @@ static bool point_setting(const vs_args *f, const char *datum, vs_value list, do
   return list == VS_NIL && count == length && isfinite(xyz[0]) && isfinite(xyz[1]) && isfinite(xyz[2]);
 }
 
-/* Sets *out to the user's setting of a parameter, converted to the type of the default value `like`. An exact default
- * requires an exact number; a real default accepts any number. For a string the text needs no quotes. */
+/* Sets *out to the user's setting of a parameter, converted to the type of the default value `like`. An exact
+ * default requires an exact number; an inexact default accepts any number. If the default is a string, `datum` needs
+ * no quotes. */
 static vs_status read_setting(vs_args *f, const char *name, const char *datum, vs_value like, vs_value *out) {
   vs_bind_parameter_type t = type_of(like);
   if (t == VS_P_STRING) return vs_string_from_utf8(f->vm, datum, strlen(datum), out);
@@ -191,12 +192,12 @@ static void set_range(vs_args *f, vs_bind_parameter *p, double d) {
            : k[KEY_MAX].given && k[KEY_MAX].real <= 0 ? 2 * fmin(d, k[KEY_MAX].real)
                                                       : fmin(0, 2 * d);
   p->max = k[KEY_MAX].given ? k[KEY_MAX].real : fmax(fmax(0, 2 * d), p->min);
-  /* no range can be computed from a default of 0, so the range is 0 to 1 */
+  /* Without #:min and #:max, a range cannot be computed from a default of 0, so the range is 0 to 1. */
   if (p->max == p->min && !k[KEY_MIN].given && !k[KEY_MAX].given) p->max = p->min + 1;
   p->step = k[KEY_STEP].given ? k[KEY_STEP].real : p->type == VS_P_INTEGER ? 1 : 0;
 }
 
-/* Stores the parameter. A second definition of the same name (at the prompt) replaces the first. */
+/* Stores the parameter p for the host. A second definition of the same name (at the prompt) replaces the first. */
 static vs_status keep(vs_args *f, const vs_bind_parameter *p) {
   vs_bind *b = f->bind;
   for (size_t i = 0; i < b->parameter_count; i++)
@@ -261,7 +262,8 @@ vs_status vs_p_parameter(vs_args *f, vs_value *out) {
 
 /* ---- numbers of the model ---- */
 
-/* (report name value): keeps the number for the host, and returns it. A later number of the same name replaces it. */
+/* (report name value): stores the number for the host, and returns it. A later number with the same name replaces
+ * it. */
 vs_status vs_p_report(vs_args *f, vs_value *out) {
   vs_bind *b = f->bind;
   const char *name = vs_store_text(f->store, f->arg[0].text.at, f->arg[0].text.length);

@@ -6,29 +6,29 @@
 
 typedef struct vs_bind vs_bind;
 
-/* The types of parameters; the same as in visualscheme.h. */
+/* The types of parameters. They must be the same as in visualscheme.h. */
 typedef enum { VS_P_BOOLEAN, VS_P_INTEGER, VS_P_REAL, VS_P_STRING, VS_P_DATUM } vs_bind_parameter_type;
 typedef struct vs_bind_parameter {
   const char *name, *label, *group, *unit; /* texts of the definition, owned by the store */
   vs_bind_parameter_type type;
-  const char *value, *default_value; /* current value and default value, as written in a program; strings without
-                                      * quotes */
+  const char *value, *default_value; /* current value and default value, in the notation of a program, but strings
+                                      * without quotes */
   bool has_range;
-  bool least, most;     /* least: the definition has #:min; most: it has #:max; a value beyond these limits is
-                         * refused */
+  bool least, most;     /* least: whether the definition has #:min; most: whether it has #:max. A value outside these
+                         * limits is refused */
   double min, max, step;
-  const char **choices; /* list of choice_count permitted values, in the notation of `value`; the array belongs to this
-                         * parameter */
+  const char **choices; /* array of choice_count permitted values, in the notation of `value`; owned by the parameter */
   size_t choice_count;
   vs_pos at;
 } vs_bind_parameter;
-/* A value for a parameter, from an option -D of the command line. used: whether a define-parameter has used it. */
+/* A setting of a parameter by an option -D of the command line. used: whether a define-parameter has read it. */
 typedef struct vs_bind_setting { const char *name, *datum; bool used; } vs_bind_setting;
 
-/* A number of the model from (report name value). The store owns the name. */
+/* A number that the program has passed to (report name value). The store owns the name. */
 typedef struct vs_bind_report { const char *name; double value; } vs_bind_report;
 
-/* Stores a setting for a later define-parameter; datum NULL deletes it. Returns false when memory is out. */
+/* Stores a setting for a define-parameter that runs later; datum NULL deletes the setting. Returns false when memory is
+ * out. */
 bool vs_bind_set_parameter(vs_bind *b, const char *name, const char *datum);
 
 #endif

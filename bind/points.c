@@ -20,8 +20,8 @@ static vs_vec3 spherical(double rho, double phi, double psi) { /* Returns the po
   vs_sincos(psi, &s, &c);
   return polar(rho * s, phi, rho * c);
 }
-/* These functions return the point whose coordinates are f's arguments from number i on, in one of four coordinate
- * systems. */
+/* These functions return a point whose coordinates are the numbers in f's arguments i, i + 1 ..., in one of four
+ * coordinate systems. */
 static vs_vec3 cartesian_at(const vs_args *f, int i) { return vs_v3(X(i), X(i + 1), X(i + 2)); }
 static vs_vec3 polar_at(const vs_args *f, int i) { return polar(X(i), X(i + 1), 0); }
 static vs_vec3 cylindrical_at(const vs_args *f, int i) { return polar(X(i), X(i + 1), X(i + 2)); }
@@ -93,8 +93,8 @@ vs_status vs_p_v_over_r(vs_args *f, vs_value *out) {
   return vs_bind_give_vector(f, vs_v3(P(0).x / X(1), P(0).y / X(1), P(0).z / X(1)), out);
 }
 
-static vs_vec3 unit(vs_vec3 v) { /* returns the unit vector along v; first scales v, against overflow and underflow of
-                                  * its length */
+static vs_vec3 unit(vs_vec3 v) { /* returns the unit vector along v; first scales v, so that its length neither
+                                  * overflows nor underflows */
   double most = fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
   v = vs_v3(v.x / most, v.y / most, v.z / most);
   double l = vs_v3_length(v);
@@ -121,8 +121,8 @@ vs_status vs_p_intermediate_point(vs_args *f, vs_value *out) {
   return vs_bind_give_point(f, between(P(0), P(1), X(2)), out);
 }
 
-/* Returns whether two values of one kind are equal within a tolerance. Numbers, axes, planes and matrices are compared
- * by their largest difference, points and gvectors by their distance. */
+/* Sets *out to whether two values of one kind are equal within a tolerance. Numbers, axes, planes and matrices are
+ * compared by the largest difference of their numbers, points and gvectors by their distance. */
 vs_status vs_p_near(vs_args *f, vs_value *out) {
   double tolerance = f->arg[2].given ? X(2) : 1e-9, apart = 0;
   vs_value a = f->arg[0].value, b = f->arg[1].value;
@@ -218,7 +218,7 @@ vs_status vs_p_matrix_inverse(vs_args *f, vs_value *out) {
 
 /* ---- sequences; those with a procedure as argument are in geometry.scm ---- */
 
-/* Sets *out to a list of n values, created by make(f, i) from the last to the first. */
+/* Sets *out to a list of n values, which make(f, i) creates for i from n - 1 down to 0. */
 static vs_status listed(vs_args *f, int64_t n, vs_status (*make)(vs_args *, int64_t i, vs_value *out),
                         vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
@@ -231,8 +231,8 @@ static vs_status listed(vs_args *f, int64_t n, vs_status (*make)(vs_args *, int6
   return VS_OK;
 }
 
-/* Sets *out to a + (b - a) i / n; the result is exact if a and b are exact, as in (enumerate 0 4 4), which is (0 1 2
- * 3). */
+/* Sets *out to a + (b - a) i / n, where a and b are the first two arguments. The result is exact if a and b are exact,
+ * so that (enumerate 0 4 4) is (0 1 2 3). */
 static vs_status part(vs_args *f, int64_t i, int64_t n, vs_value *out) {
   vs_value a = f->arg[0].value, b = f->arg[1].value;
   if (vs_is_fixnum(a) && vs_is_fixnum(b)) {
@@ -260,7 +260,8 @@ static vs_status on_line(vs_args *f, int64_t i, vs_value *out) {
 }
 vs_status vs_p_line_sequence(vs_args *f, vs_value *out) { return listed(f, f->arg[2].integer, on_line, out); }
 
-/* Sets *out to the point at horizontal distance h and height v from p, in the vertical plane at azimuth phi. */
+/* Sets *out to the point at horizontal distance h and height v from the first argument, in the vertical plane at the
+ * azimuth phi. */
 static vs_status raised(vs_args *f, double h, double v, vs_value *out) {
   double s, c;
   vs_vec3 p = f->arg[0].point;
@@ -269,8 +270,8 @@ static vs_status raised(vs_args *f, double h, double v, vs_value *out) {
 }
 static double fraction(int64_t i, int64_t n) { return n > 1 ? (double)i / (double)(n - 1) : 0; }
 
-/* Sets *out to point i of an arc. psi is the zenith angle, as in sph: at psi = 0 a point is above the centre, at pi/2
- * at the centre's height. */
+/* Sets *out to point i of an arc. psi is the zenith angle, as in sph: at psi = 0 the point is above the centre, at pi/2
+ * at the height of the centre. */
 static vs_status on_arc(vs_args *f, int64_t i, vs_value *out) {
   double s, c, t = fraction(i, f->arg[5].integer), psi = t == 1 ? X(4) : X(3) + (X(4) - X(3)) * t;
   vs_sincos(psi, &s, &c);

@@ -88,8 +88,8 @@ static const vs_field_info *find(const vs_node *n, const char *argument) {
   return NULL;
 }
 
-/* Writes a blank and a field for each of the names. Then writes the field `segments` as a keyword, if the call that
- * created the node gave it. */
+/* Writes a blank and a field for each of the names. Then writes the field `segments` as a keyword if the constructor's
+ * call gave it. */
 static bool named(const sink *k, const vs_node *n, const char *const *names) {
   for (; *names; names++) {
     const vs_field_info *f = find(n, *names);
@@ -100,8 +100,8 @@ static bool named(const sink *k, const vs_node *n, const char *const *names) {
          (text(k, " #:segments ") && field(k, s, vs_node_data(n)));
 }
 
-/* Writes "(make-NAME" and the fields in the order of prims.def. `segments` is last, and is only written if the call
- * that created the node gave it. */
+/* Writes "(make-NAME" and the fields in the order of prims.def. `segments`, the last field, is written only if the
+ * constructor's call gave it. */
 static bool by_row(const sink *k, const vs_node *n) {
   const vs_kind_info *i = vs_kind_get((vs_kind)n->kind);
   if (!text(k, "(make-") || !text(k, i->name)) return false;
@@ -133,7 +133,7 @@ static bool grid_ways(const sink *k, bool closed_u, bool closed_v) {
 
 static bool is_moved(const vs_affine *m) { return vs_affine_is_translation(m); }
 
-/* Writes "(make-text" with the keywords that differ from their defaults. */
+/* Writes "(make-text" with the keywords whose values differ from their defaults. */
 static bool letters(const sink *k, const vs_node *n) {
   const struct vs_letters *t = VS_AS(letters, n);
   bool ok = text(k, "(make-text") && named(k, n, (const char *const[]){ "p", "size", "string", NULL });
@@ -144,13 +144,13 @@ static bool letters(const sink *k, const vs_node *n) {
   return ok;
 }
 
-/* Writes the start of an expression: "(make-sphere" and the fields before the children. */
+/* Writes the start of an expression, for example "(make-sphere", and the fields that precede the children. */
 static bool opening(const sink *k, const vs_node *n) {
   const char *name = vs_kind_get((vs_kind)n->kind)->name;
   static const char *const none[] = { NULL };
   switch ((vs_kind)n->kind) {
     case VS_EMPTY: return text(k, "(empty-object");
-    case VS_LINE: /* a line of one point is the apex of a loft */
+    case VS_LINE: /* a line of one point is the apex of a loft, and is written as a point */
       if (VS_AS(line, n)->points->count == 1) {
         vs_vec3 p = VS_AS(line, n)->points->at[0];
         return text(k, "(xyz ") && number(k, p.x) && text(k, " ") && number(k, p.y) && text(k, " ") && number(k, p.z);
@@ -178,8 +178,8 @@ static bool opening(const sink *k, const vs_node *n) {
       return text(k, "(hull") &&
              (!VS_AS(hull, n)->points->count || named(k, n, (const char *const[]){ "points", NULL }));
     case VS_SLICE: return text(k, "(do-slice");
-    case VS_DEFORM: { /* a scope's y is the world's Z, and its front faces -Y, so the corners are written in another
-                       * order */
+    case VS_DEFORM: { /* a scope's y is the world's Z, and its front face points to -Y, so the corners are written in
+                       * another order */
       const struct vs_deform *d = VS_AS(deform, n);
       const vs_vec3 corner[8] = { d->c010, d->c110, d->c011, d->c111, d->c000, d->c100, d->c001, d->c101 };
       bool ok = text(k, "(scope-place (make-ffd-scope");
@@ -206,8 +206,8 @@ static bool opening(const sink *k, const vs_node *n) {
     case VS_NATIVE:
       return text(k, "(native '") && text(k, VS_AS(native, n)->target) &&
              named(k, n, (const char *const[]){ "text", NULL }) && text(k, " #:otherwise");
-    case VS_CUSTOM: return text(k, VS_AS(custom, n)->made); /* written as the user's call, without the child that a
-                                                             * drawing function created */
+    case VS_CUSTOM: return text(k, VS_AS(custom, n)->made); /* written as the program's own call, without the child that
+                                                             * a drawing function created */
     case VS_HIGHLIGHT: case VS_GHOST: case VS_ONLY: return text(k, "(") && text(k, name);
     case VS_LAYER: return text(k, "(layer") && named(k, n, (const char *const[]){ "name", NULL });
     case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: return text(k, "(") && text(k, name);
@@ -216,7 +216,7 @@ static bool opening(const sink *k, const vs_node *n) {
   return text(k, "(make-") && text(k, name);
 }
 
-/* Writes the fields after the children, and the closing parenthesis. */
+/* Writes the fields that follow the children, and the closing parenthesis. */
 static bool closing(const sink *k, const vs_node *n) {
   if (n->kind == VS_CUSTOM) return true;
   if (n->kind == VS_EXTRUDE) {
@@ -277,8 +277,8 @@ static bool closing(const sink *k, const vs_node *n) {
   return text(k, ")");
 }
 
-/* Writes the text before a child. After the last section of a guided loft, ends the list of sections and begins the
- * list of guides. */
+/* Writes the text that precedes a child. After the last section of a guided loft, ends the list of sections and begins
+ * the list of guides. */
 enum { GUIDES = 1 << 30 };
 static bool between(const sink *k, uint32_t *left) {
   if (!*left || --*left & (GUIDES - 1)) return true;
@@ -293,7 +293,7 @@ bool vs_bind_print_node(const vs_node *n, vs_put_text *put, void *to) {
   vs_walk *w = vs_walk_new(n->store, (vs_ref){ (vs_node *)(uintptr_t)n, NULL });
   vs_ref ref;
   size_t depth, printed = 0;
-  /* left[d]: number of sections that are not yet written of the guided loft at depth d, plus 1. */
+  /* left[d]: for a guided loft at depth d, 1 + the number of its sections that are not yet written. */
   uint32_t *left = vs_zeros((size_t)n->depth + 1, sizeof *left);
   bool ok = w != NULL && left != NULL;
   while (ok) {

@@ -4,7 +4,7 @@
 
 #include "model/node.h"
 
-/* Receives n bytes of a text. Returns false to stop. */
+/* Function that receives n bytes of a text. Returns false to stop the writing. */
 typedef bool vs_put_text(void *to, const char *s, size_t n);
 
 /* Writes the expression that creates the node. Returns false if put returns false, or if memory is out. */

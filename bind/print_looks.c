@@ -8,8 +8,8 @@
 
 #include "model/looks/ready_materials.h"
 
-/* Returns true if the program gave the colour as "#rrggbb": the colour's components are multiples of 1/255, and as a
- * list they would be longer numbers than a program would write. */
+/* Returns true if the program probably gave the colour as "#rrggbb": the components are multiples of 1/255, and would
+ * be longer as decimals than programs write them. parts: the components times 255. */
 static bool is_hex(const double c[3], int parts[3]) {
   const size_t most = 5; /* greatest length of a colour's component as text: up to three decimals, as programs write
                           * them */
@@ -37,8 +37,8 @@ static bool color(const sink *k, double red, double green, double blue, bool hex
          text(k, ")");
 }
 
-/* Returns true if m is a material that the call (color c o) makes for some colour c. *hex: whether c is a string, and
- * not a list. */
+/* Returns true if the call (color c o) creates the material m for some colour c. *hex: whether c is a string, not a
+ * list. */
 static bool is_paint(const vs_material *m, bool *hex) {
   vs_material by_text = vs_material_of_color(m->red, m->green, m->blue), by_list = by_text;
   by_list.roughness = vs_material_default.roughness;

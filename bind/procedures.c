@@ -48,8 +48,8 @@ const vs_procedure vs_bind_procedures[] = {
 
 #define PROC(id, name, fn, doc, forms, keys) fn,
 #define PROCS(id, name, signature, fn, doc, forms, keys) fn,
-/* The C functions of the procedures, in an array separate from the rows. Without addresses, the 320 KB of rows need no
- * relocation when the program is loaded. */
+/* The C functions of the procedures, in an array separate from the rows of the table. Without function addresses in
+ * them, the 320 KB of rows need no relocation when the program is loaded. */
 static vs_procedure_fn *const functions[] = {
 #include "bind/procedures.def"
 };

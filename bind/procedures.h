@@ -2,8 +2,8 @@
  *
  * procedures.def lists every procedure with the forms of its arguments. A single C function, vs_bind_enter, implements
  * all of them as natives. It finds the row of the running native. call/contract.c chooses the form, checks and converts
- * the arguments, and calls the row's C function with C data. No constructor therefore repeats a check that its row
- * states. */
+ * the arguments, and calls the row's C function with C data. The C functions therefore need not repeat the checks that
+ * their rows state. */
 #ifndef VS_BIND_PROCEDURES_H
 #define VS_BIND_PROCEDURES_H
 
@@ -20,7 +20,7 @@ extern const vs_native_table vs_bind_table;
 
 vs_native_fn vs_bind_enter;
 
-/* declares the C functions of procedures.def */
+/* declares the C function of each procedure in procedures.def */
 #define PROC(id, name, fn, doc, forms, keys) vs_procedure_fn fn;
 #define PROCS(id, name, signature, fn, doc, forms, keys) vs_procedure_fn fn;
 #include "bind/procedures.def"

@@ -1,4 +1,5 @@
-/* Implements questions about an object: its kind and parts, its bounds and measures, its looks and place. */
+/* Implements procedures that return facts about an object: its kind and parts, its bounds and measures, its material,
+ * layer and place. */
 #include "bind/queries.h"
 
 #include "bind/call/call.h"
@@ -159,13 +160,13 @@ vs_status vs_p_contains(vs_args *f, vs_value *out) {
 
 /* ---- the look that all parts of an object have in common ----
  *
- * A look is a material or the name of a layer. A part may have a look of its own, or take the look of the innermost
- * node of kind material or layer around it. The looks of a node's parts either agree or differ. The result for a node
- * is computed from the results for its children, once for each node. */
+ * A look is a material or the name of a layer. A part may have a look of its own; otherwise it has the look of the
+ * innermost node of kind material or layer around it. If all parts of a node have one look, it is the node's look. The
+ * result for a node is computed from the results for its children, once for each node. */
 
 typedef struct {
-  const void *look; /* look that the parts have in common; NULL if no part has a look */
-  bool bare;        /* whether some part has no look of its own */
+  const void *look; /* the only look of the parts that have one; NULL if no part has a look */
+  bool bare;        /* whether a part has no look of its own */
   bool several;     /* whether two parts have different looks */
 } look_of;
 
@@ -174,7 +175,7 @@ static look_of both(look_of a, look_of b) {
   return (look_of){ a.look ? a.look : b.look, a.bare || b.bare, a.several || b.several || differ };
 }
 
-/* Returns the number of children that a node shows; they are its first children. */
+/* Returns the number of children that are parts of the visible object; they are the node's first children. */
 static size_t shown(const vs_node *n) {
   switch (vs_node_role(n)) {
     case VS_ROLE_SHAPE: case VS_ROLE_LEAF: case VS_ROLE_MADE: break;
@@ -190,8 +191,8 @@ static const void *own_look(const vs_node *n, vs_kind kind) {
 }
 
 typedef struct {
-  vs_kind kind;       /* VS_MATERIAL or VS_LAYER */
-  vs_nodemap answers; /* maps a node to the index of its result in `made`, plus 1 */
+  vs_kind kind;       /* kind of look that is searched: VS_MATERIAL or VS_LAYER */
+  vs_nodemap answers; /* for each node, 1 + the index of its result in `made` */
   look_of *made;
   size_t count, room;
 } look_search;

@@ -15,19 +15,19 @@ static const vs_flat_type types[] = {
 
 enum { NUMBER = 0, P = VS_FLAT_POINT, V = VS_FLAT_VECTOR };
 
-/* The pairs of operand kinds that + - * / accept in addition to numbers. Any other pair is an error that names both
- * kinds. */
+/* The pairs of operand types that + - * / accept in addition to numbers. For any other pair, the error names both
+ * types. */
 static const struct { uint8_t op, left, right, rule, result;
 } arithmetic[] = {
   { VS_OP_ADD, P, V, VS_RULE_ADD, P },      { VS_OP_ADD, V, P, VS_RULE_ADD, P },
   { VS_OP_ADD, V, V, VS_RULE_ADD, V },      { VS_OP_SUB, P, V, VS_RULE_SUB, P },
   { VS_OP_SUB, P, P, VS_RULE_SUB, V },      { VS_OP_SUB, V, V, VS_RULE_SUB, V },
-  { VS_OP_SUB, NUMBER, V, VS_RULE_SUB, V }, /* negation: (- v) */
+  { VS_OP_SUB, NUMBER, V, VS_RULE_SUB, V }, /* (- v), which is computed as 0 - v */
   { VS_OP_MUL, NUMBER, V, VS_RULE_MUL, V }, { VS_OP_MUL, V, NUMBER, VS_RULE_MUL, V },
   { VS_OP_DIV, V, NUMBER, VS_RULE_DIV, V },
 };
 
-/* procedures that are compiled to a single opcode */
+/* procedures whose calls are compiled to a single instruction */
 static const struct { const char *name; uint8_t kind, left, right, result; } binary[] = {
   { "v+v", VS_FLAT_PLUS, V, V, V },
   { "v-v", VS_FLAT_MINUS, V, V, V },
@@ -50,7 +50,7 @@ void vs_bind_flat_rules(vs_flat_rules *r) {
     r->at[arithmetic[i].op][arithmetic[i].left][arithmetic[i].right].tag = arithmetic[i].result;
   }
   for (int op = 0; op < VS_OP_COUNT; op++)
-    for (int k = 1; k < 4; k++) /* defines the operations of an interval with an interval or a number */
+    for (int k = 1; k < 4; k++) /* defines + - * / of an interval with an interval or a number */
       r->at[op][k & 1 ? VS_FLAT_INTERVAL : NUMBER][k & 2 ? VS_FLAT_INTERVAL : NUMBER].rule = VS_RULE_CALL;
   r->maker[r->makers].name = "xyz", r->maker[r->makers].tag = P, r->maker[r->makers++].n = 3;
   r->maker[r->makers].name = "vxyz", r->maker[r->makers].tag = V, r->maker[r->makers++].n = 3;

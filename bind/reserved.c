@@ -1,4 +1,4 @@
-/* Raises the errors for names that are reserved for future versions of the language. */
+/* Implements the errors for names that are reserved for future versions of the language. */
 #include "bind/reserved.h"
 
 #include "vm/machine/activation.h"

@@ -8,8 +8,9 @@
 typedef struct vs_args vs_args;
 typedef vs_status vs_procedure_fn(vs_args *f, vs_value *out);
 
-/* Calls a procedure that creates points or reads their coordinates, with n arguments, at least one of them a dual
- * number. Sets *status. Returns false, without an error, for other procedures: objects cannot contain dual numbers. */
+/* Calls a procedure that creates points or reads their coordinates. Of its n arguments, at least one is a dual
+ * number. Sets *status. Returns false, without an error, for all other procedures, since objects cannot contain dual
+ * numbers. */
 bool vs_dual_points(vs_scheme *vm, vs_procedure_fn *procedure, vs_value *a, int n, vs_value *out, vs_status *status);
 
 #endif

@@ -1,5 +1,5 @@
-/* Implements the natives of functions.scm: nested differentiations, dual numbers (numbers with a derivative),
- * procedures with their expression, and tapes (compiled expressions) as Scheme objects. */
+/* Implements the natives of functions.scm: levels of nested differentiations, dual numbers (numbers with a derivative),
+ * procedures that keep their expression, and tapes (compiled expressions) as Scheme objects. */
 #include "bind/functions/function_values.h"
 
 #include <math.h>
@@ -27,7 +27,7 @@ static vs_status dual_level(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* (%dual level value slope): returns a dual number. */
+/* (%dual level value slope): returns a dual number with this level, value and derivative. */
 static vs_status dual(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!vs_is_scalar(a[1]) && !vs_is(vs_dual_base(a[1]), VS_T_FLAT))
@@ -35,8 +35,8 @@ static vs_status dual(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return vs_make_dual(vm, vs_fixnum(a[0]), a[1], a[2], out);
 }
 
-/* (%dual-slope level v): returns the derivative of v with respect to the variable of this level; 0 if v does not depend
- * on that variable. Returns #f if v is no number, point or gvector. */
+/* (%dual-slope level v): returns the derivative of v in the variable of the differentiation `level`; 0 if v does not
+ * depend on this variable. Returns #f if v is no number, point or gvector. */
 static vs_status dual_slope(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   int64_t level = vs_fixnum(a[0]);
@@ -51,7 +51,7 @@ static vs_status dual_slope(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 
 /* ---- procedures that keep their expression ---- */
 
-/* (%function closure note): returns a procedure that behaves like the closure and keeps the note. */
+/* (%function closure note): returns a procedure that behaves like the closure and contains the note, its expression. */
 static vs_status function(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!vs_is(a[0], VS_T_CLOSURE)) return vs_fail_type(vm, 0, "a procedure in Scheme", a[0]);
@@ -108,8 +108,8 @@ static vs_status tape_input(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return step(vm, t, vs_tape_input(t, (uint32_t)vs_fixnum(a[1])), out);
 }
 
-/* (%tape-op t name a b c): appends an operation to the tape and returns its number. Returns #f if no operation of this
- * name has that many operands. */
+/* (%tape-op t name a b c): appends a step (an operation) to the tape, and returns the step's number. Returns #f if no
+ * operation of this name has that many operands. */
 static vs_status tape_op(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_tape *t = vs_foreign_get(a[0], &vs_tape_type);
   uint32_t of[3] = { 0, 0, 0 };
@@ -119,7 +119,8 @@ static vs_status tape_op(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return step(vm, t, vs_tape_add(t, op, of[0], of[1], of[2]), out);
 }
 
-/* (%tape-field t field x y z): appends the value of a field at a point, and returns its number. */
+/* (%tape-field t field x y z): appends a step that computes the value of a field at a point, and returns the step's
+ * number. */
 static vs_status tape_field(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   vs_tape *t = vs_foreign_get(a[0], &vs_tape_type);
@@ -129,8 +130,8 @@ static vs_status tape_field(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return step(vm, t, vs_tape_add_field(t, f, at[0], at[1], at[2]), out);
 }
 
-/* (%tape-done t step ...): returns a tape that computes these steps of t, and contains only the steps that they
- * need. */
+/* (%tape-done t step ...): returns a tape whose outputs are the results of these steps of t. It contains only the steps
+ * that these outputs need. */
 static vs_status tape_done(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_tape *t = vs_foreign_get(a[0], &vs_tape_type);
   t->outputs = (uint32_t)(n - 1);
@@ -139,7 +140,7 @@ static vs_status tape_done(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return c ? vs_make_foreign(vm, &vs_tape_type, c, 0, out) : vs_fail_memory(vm);
 }
 
-/* (%tape-level t level): returns a tape that computes the value of t minus the level. */
+/* (%tape-level t level): returns a tape that computes the value of t minus `level`. */
 static vs_status tape_level(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   double level;
@@ -156,7 +157,8 @@ static vs_status tape_outputs(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   return *out = vs_fix(((const vs_tape *)vs_foreign_get(a[0], &vs_tape_type))->outputs), VS_OK;
 }
 
-/* (%tape-text t output language names): returns the formula as text, or #f if the language cannot express it. */
+/* (%tape-text t output language names): returns the formula for one output of t as text, or #f if the language cannot
+ * express it. */
 static vs_status tape_text(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   const vs_tape *t = vs_foreign_get(a[0], &vs_tape_type);
@@ -178,8 +180,9 @@ static vs_status tape_text(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 
 /* ---- values at the points of a grid ---- */
 
-/* (%tape-samples t ranges): returns a vector of the values at all points of a grid; the last range varies fastest. The
- * values of a tape with three outputs are points. A range is #(a b n): n numbers from a to b, including both. */
+/* (%tape-samples t ranges): returns a vector of the values of t at all points of a grid; the last coordinate varies
+ * fastest. The values of a tape with three outputs are points. ranges: for each coordinate #(a b n), meaning n numbers
+ * from a to b, including both. */
 static vs_status tape_samples(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   const vs_tape *t = vs_foreign_get(a[0], &vs_tape_type);
@@ -190,7 +193,7 @@ static vs_status tape_samples(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
     if (!vs_number_double(vm, v->at[0], &r[i].a) || !vs_number_double(vm, v->at[1], &r[i].b)) return VS_ERROR;
     r[i].n = vs_fixnum(v->at[2]);
     vs_sample_begin(&r[i]);
-    total *= r[i].n; /* functions.scm has checked that the product is not too large */
+    total *= r[i].n; /* functions.scm has checked that the number of points is not too large */
   }
   enum { BATCH = VS_SAMPLE_BATCH };
   double in[VS_TAPE_INPUTS][BATCH], results[VS_TAPE_OUTPUTS][BATCH];
@@ -211,7 +214,7 @@ static vs_status tape_samples(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
     int count = total - at < BATCH ? (int)(total - at) : BATCH;
     vs_sample_points(r, t->inputs, in, count);
     vs_sample(s, from, (size_t)count, to);
-    if (t->outputs == 1) { /* stores doubles, which are no addresses, so the garbage collector need not be notified */
+    if (t->outputs == 1) { /* doubles contain no addresses, so no write barrier is needed */
       vs_value *values = vs_as_vector(a[1])->at + at;
       memcpy(values, results[0], (size_t)count * sizeof *values);
       if (vs_sample_nan(results[0], count))
@@ -239,8 +242,8 @@ static bool enclosure_of(vs_scheme *vm, vs_value v, vs_enclosure *out) {
     return vs_fail(vm, vm->sym.type, "an interval is combined with numbers and intervals, not with %s", vs_noun(vm, v));
   if (!vs_number_double(vm, v, &d)) return false;
   out->low = out->high = d;
-  if (!vs_is_fixnum(v) && !vs_is_double(v)) /* an interval around x: a bignum or ratio may differ from its nearest
-                                             * double */
+  if (!vs_is_fixnum(v) && !vs_is_double(v)) /* an interval around x, the nearest double of v: v, a bignum or ratio, may
+                                             * differ from x */
     out->low = nextafter(d, -INFINITY), out->high = nextafter(d, INFINITY);
   return true;
 }
@@ -298,8 +301,8 @@ static vs_status interval_high(vs_scheme *vm, vs_value *a, int n, vs_value *out)
   return (void)n, interval_end(vm, a, 1, out);
 }
 
-/* (%tape-bounds t vector): returns an interval that contains all values of t's output, if its inputs lie in the
- * intervals of the vector. */
+/* (%tape-bounds t vector): returns an interval that contains all values of t's output for inputs in the intervals of
+ * the vector. */
 static vs_status tape_bounds(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   const vs_tape *t = vs_foreign_get(a[0], &vs_tape_type);

@@ -10,8 +10,8 @@ extern const vs_native_table vs_function_table;
 extern const vs_foreign_type vs_tape_type; /* type of Scheme objects that own a vs_tape */
 extern const vs_foreign_type vs_tape_field_type; /* type of Scheme objects that own a reference to a vs_tape_field */
 
-/* The implementation of vs_flat_rules.call for intervals. Sets *out to an interval that contains all values of the
- * named procedure for arguments in the given intervals. */
+/* Implements vs_flat_rules.call for intervals. Sets *out to an interval that contains all values of the procedure
+ * `name` for arguments in the n intervals. */
 bool vs_interval_call(vs_scheme *vm, const char *name, const vs_value *a, int n, vs_value *out);
 
 #endif

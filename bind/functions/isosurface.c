@@ -32,7 +32,7 @@ static vs_status refuse(vs_args *f, vs_contour_outcome outcome, const vs_contour
   case VS_CONTOUR_EMPTY:
     return vs_fail(f->vm, f->vm->sym.range,
                    "f is nowhere below the level in the box, or only in parts smaller than a cell");
-  case VS_CONTOUR_STOPPED: return VS_ERROR; /* the interrupt has already set the error */
+  case VS_CONTOUR_STOPPED: return VS_ERROR; /* vm->condition is already set */
   case VS_CONTOUR_MANY:
     return vs_fail(f->vm, f->vm->sym.limit, VS_SHAPES_OVER, c->most, VS_ON_THE_WAY, vs_bind_most_triangles(f->vm));
   case VS_CONTOUR_MEMORY:
@@ -41,14 +41,16 @@ static vs_status refuse(vs_args *f, vs_contour_outcome outcome, const vs_contour
   return vs_fail_memory(f->vm);
 }
 
-/* Computes the surface with smaller and smaller cells, until the centres of its triangles are within the tolerance. */
+/* Computes the surface with smaller and smaller cells, until the centres of its triangles are within the tolerance of
+ * the true surface. */
 static vs_contour_outcome refined(vs_args *f, const vs_tape *t, double tolerance, vs_contour *c) {
   int cells = FIRST_CELLS;
   for (;;) {
     c->most = vs_bind_most_triangles(f->vm) * VS_ON_THE_WAY;
     vs_contour_grid grid = { f->arg[1].point, f->arg[2].point, cells, tolerance };
     vs_contour_outcome outcome = vs_contour_make(t, &grid, (vs_long_work){ vs_bind_keep_going, f->vm }, c);
-    bool missed = outcome == VS_CONTOUR_EMPTY; /* missed: true if no surface was found; smaller cells may find it */
+    bool missed = outcome == VS_CONTOUR_EMPTY; /* missed: whether no surface was found, although smaller cells may find
+                                                * one */
     if ((outcome != VS_CONTOUR_DONE && !missed) || (!missed && c->deviation <= tolerance)) return outcome;
     if (cells == VS_CONTOUR_CELLS || (missed && cells >= 128)) {
       if (!missed)

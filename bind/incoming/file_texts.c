@@ -1,8 +1,8 @@
-/* Takes files of other programs apart into Scheme data: groups of a .dxf file, commands of an SVG path. load_dxf.scm
- * and load_svg.scm make objects of them; xml_events.c takes XML apart.
+/* Converts files of other programs to Scheme data: groups of a .dxf file, commands of an SVG path. load_dxf.scm and
+ * load_svg.scm create objects from these data; xml_events.c reads XML.
  *
- * vs reads the groups of .dxf itself: a group is two lines of text. Debian's only library for it, libdxflib, is in C++
- * and has no MESH. */
+ * vs reads the groups of .dxf itself: a group is two lines of text. Debian's only library for .dxf, libdxflib, is in
+ * C++ and has no MESH. */
 #include "bind/incoming/file_texts.h"
 
 #include <ctype.h>
@@ -45,7 +45,7 @@ vs_status vs_incoming_broken(vs_scheme *vm, vs_value path, size_t line, const ch
 
 /* ---- .dxf ---- */
 
-/* The type of a group's value, by its code. */
+/* The type of a group's value, which the group's code determines. */
 typedef enum { GROUP_TEXT, GROUP_REAL, GROUP_INTEGER } group_type;
 
 static group_type type_of(long code) {
@@ -60,7 +60,7 @@ static group_type type_of(long code) {
   return GROUP_TEXT;
 }
 
-/* A line of a text, without its end. */
+/* A line of a text, without its line end. */
 typedef struct { const char *at; size_t count; } line_text;
 
 /* Sets *line to the line at *at and moves *at to the next line. Returns false at the end of the text. */
@@ -79,7 +79,7 @@ static line_text trimmed(line_text l) {
   return l;
 }
 
-/* Reads a finite number that is the whole text of the line. */
+/* Reads a finite number. Returns false if the line contains anything else. */
 static bool line_number(line_text l, double *out) {
   char t[64], *end;
   l = trimmed(l);
@@ -89,7 +89,8 @@ static bool line_number(line_text l, double *out) {
   return !*end && isfinite(*out) && !strpbrk(t, "xX");
 }
 
-/* Makes a string of a line. Older files spell characters outside ASCII in one byte; these are read as Latin 1. */
+/* Sets *out to a string of the line. Old files have one byte for characters outside ASCII; these bytes are read as
+ * Latin-1. */
 static bool line_string(vs_scheme *vm, line_text l, vs_value *out) {
   uint32_t c;
   bool utf8 = true;
@@ -107,8 +108,8 @@ static bool line_string(vs_scheme *vm, line_text l, vs_value *out) {
   return ok;
 }
 
-/* Creates the value of a .dxf group from its line. Sets the error if the group's code requires a number and the line is
- * none. */
+/* Sets *out to the value of a .dxf group, read from its line. If the group's code requires a number and the line is
+ * none, sets the error. */
 static bool group_value(vs_scheme *vm, vs_value path, size_t line, long code, line_text l, vs_value *out) {
   double d;
   group_type type = type_of(code);
@@ -120,8 +121,8 @@ static bool group_value(vs_scheme *vm, vs_value path, size_t line, long code, li
   return true;
 }
 
-/* Returns a vector of the group codes and values of a .dxf file, one after the other: the code at
- * place 2i is in line 2i + 1 of the file. Ends after the group (0 . "EOF"). */
+/* Sets *out to a vector of the groups of a .dxf file: code and value alternate. Element 2i, a code, is in line 2i + 1
+ * of the file. Ends after the group (0 . "EOF"). */
 static vs_status dxf_groups(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   static const char sign[] = "AutoCAD Binary DXF";
   (void)n;
@@ -163,7 +164,7 @@ static vs_status dxf_groups(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return ok;
 }
 
-/* (%load-outline path): returns the groups of a .dxf file, or the events of another file, which is XML. */
+/* (%load-outline path): returns the groups of a .dxf file or, for any other file, the events of its XML. */
 static vs_status load_outline(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_text path;
   vs_text_open(vm, &path, 0);
@@ -177,7 +178,7 @@ static vs_status load_outline(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
 
 static bool is_separator(char c) { return c == ' ' || c == ',' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
 
-/* Reads a number of SVG at *at and moves *at behind it. Blanks before the number, hexadecimal numbers and infinity are
+/* Reads a number of SVG at *at, and moves *at past it. Blanks before the number, hexadecimal numbers and infinity are
  * not allowed. */
 static bool svg_number(const char **at, double *out) {
   char t[64];
@@ -190,7 +191,7 @@ static bool svg_number(const char **at, double *out) {
     else digits = true;
     t[n++] = *s++;
   }
-  while (isdigit((unsigned char)*s)) s++; /* skips digits beyond a double's precision */
+  while (isdigit((unsigned char)*s)) s++; /* skips digits that exceed a double's precision */
   if (!digits) return false;
   if (*s == 'e' || *s == 'E') {
     const char *power = s + 1 + (s[1] == '+' || s[1] == '-');
@@ -207,8 +208,8 @@ static bool svg_number(const char **at, double *out) {
   return isfinite(*out);
 }
 
-/* (%path-tokens text): returns the list of a path's letters, as characters, and numbers, in reverse order. A fault ends
- * the list, and its first element is then #f: SVG requires that a path is drawn up to a fault. */
+/* (%path-tokens text): returns the list of the letters (as characters) and numbers in a path, in reverse order. After a
+ * fault, reading stops, and #f is the list's first element: SVG requires that the part before a fault is drawn. */
 static vs_status path_tokens(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   vs_text text;
@@ -242,7 +243,7 @@ static vs_status path_tokens(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return ok;
 }
 
-/* (%model-metres): returns the length of the model's unit in metres. */
+/* (%model-metres): returns the length of the model unit in metres. */
 static vs_status model_metres(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)a, (void)n;
   *out = vs_flonum(vs_scene_metres(vs_bind_scene(vm)));

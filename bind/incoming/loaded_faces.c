@@ -1,4 +1,4 @@
-/* Makes solids and surfaces of the faces of a model that load_model.scm reads. */
+/* Creates solids and surfaces from the faces of a model file that load_model.scm reads. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -13,14 +13,14 @@
 #include "vm/machine/run.h"
 #include "vm/values/heap.h"
 
-/* The pieces of a mesh differ in their material. left: faces of shells that do not close within their piece, piece
- * after piece; piece_end[i]: the number of faces in `left` after piece i. */
+/* Data for loading a mesh in pieces, one for each material. left: faces of shells that are not closed within their
+ * piece, in the order of the pieces; piece_end[i]: number of faces in `left` after piece i. */
 typedef struct {
   vs_args *f;
   size_t piece_count;
   vs_face_list left;
   size_t *piece_end;
-  vs_value *made; /* the result: a root */
+  vs_value *made; /* the list that the native returns; a root of the garbage collector */
 } loading;
 
 static bool copy_face(vs_face_list *to, const vs_face_list *from, uint32_t face) {
@@ -31,7 +31,8 @@ static bool copy_face(vs_face_list *to, const vs_face_list *from, uint32_t face)
   return ok && vs_face_list_close(to);
 }
 
-/* Adds (piece object mixed) to the result, unless the faces have no area. Empties the list. */
+/* Adds (piece object mixed) to the result, unless the faces have no area. `mixed`: whether faces of other pieces are
+ * among these. Empties the list of faces. */
 static vs_status give_faces(loading *l, vs_face_list *faces, size_t piece, bool mixed) {
   vs_args *f = l->f;
   vs_node *n = NULL;
@@ -60,17 +61,18 @@ static double number_at(const vs_bytes *b, size_t i) {
   return d;
 }
 
-/* Adds the face of the corners at[0] to at[count - 1]. Returns false when memory is out. */
+/* Adds the face with the corners at[0] to at[count - 1]. Returns false when memory is out. */
 static bool add_face(vs_face_list *l, const vs_bytes *corners, const size_t *at, size_t count) {
   bool ok = true;
   for (size_t i = 0; ok && i < count; i++) ok = vs_face_list_corner(l, (uint32_t)number_at(corners, at[i]));
   return ok && vs_face_list_close(l);
 }
 
-/* How the corners of a piece form faces. */
+/* The values of `form`: how the corners of a piece form faces. */
 enum { FACES_MARKED = 0, FACES_TRIANGLES = 3, FACES_STRIP = 5, FACES_FAN = 6 };
 
-/* Converts corners to faces. Marked faces end with a negative number; their corners go straight into the list. */
+/* Converts corners to faces. In the form FACES_MARKED, a negative number ends each face, and the corners are copied to
+ * the list directly. */
 static bool add_faces(vs_face_list *l, const vs_bytes *corners, int64_t form) {
   size_t count = (size_t)corners->length / 8;
   bool ok = true;
@@ -90,7 +92,7 @@ static bool add_faces(vs_face_list *l, const vs_bytes *corners, int64_t form) {
   return ok;
 }
 
-/* Makes the list of a piece #(points corners form). */
+/* Sets *out to the list of faces of a piece, a vector #(points corners form). */
 static vs_status list_of_piece(const loading *l, vs_value piece, vs_face_list *out) {
   vs_scheme *vm = vs_call_vm(l->f);
   const vs_bytes *points = vs_as_bytes(vs_as_vector(piece)->at[0]), *corners = vs_as_bytes(vs_as_vector(piece)->at[1]);
@@ -111,7 +113,7 @@ static vs_status list_of_piece(const loading *l, vs_value piece, vs_face_list *o
   return ok ? VS_OK : vs_fail_memory(vm);
 }
 
-/* Makes a solid of the closed shells of piece i, and keeps its other faces. */
+/* Creates a solid from the closed shells of piece i, and adds its other faces to `left`. */
 static vs_status load_piece(loading *l, vs_value piece, size_t i) {
   vs_args *f = l->f;
   vs_face_list all = { 0 }, closed = { 0 };
@@ -132,9 +134,10 @@ static vs_status load_piece(loading *l, vs_value piece, size_t i) {
   return ok;
 }
 
-/* ---- faces that close only with those of other pieces ---- */
+/* ---- faces whose shell is closed only with faces of other pieces ---- */
 
-/* Sets owner[s] to the piece with the largest area in the shell whose first face is s. area, best: arrays of zeros. */
+/* Sets owner[s], for each shell s, to the piece that has the largest area in it. A shell's number is that of its first
+ * face. area, best: arrays of zeros. */
 static void find_owners(const loading *l, const uint32_t *shell, uint32_t *owner, double *area, double *best) {
   const vs_face_list *left = &l->left;
   uint32_t begin = 0;
@@ -155,8 +158,8 @@ static void find_owners(const loading *l, const uint32_t *shell, uint32_t *owner
   }
 }
 
-/* Makes solids of the shells that close, in the order of their owners, and surfaces of the other faces. next: a link
- * for each face, then the first face of each piece. */
+/* Creates solids from the closed shells, in the order of their owners, and surfaces from the other faces. next: array
+ * for the links of lists: first one for each face, then the first face of each piece. */
 static vs_status give_left(loading *l, const uint32_t *shell, const unsigned char *open, const uint32_t *owner,
                            uint32_t *next) {
   const vs_face_list *left = &l->left;
@@ -205,11 +208,11 @@ static vs_status load_left(loading *l) {
   return ok;
 }
 
-/* (%loaded-faces pieces): pieces is a list of #(points corners form). Returns the list of (piece object mixed):
- * the number of the piece whose material the object has, and whether faces of other pieces are among its own. */
+/* (%loaded-faces pieces): pieces is a list of #(points corners form). Returns a list of (piece object mixed). piece:
+ * number of the piece whose material the object has. mixed: whether the object contains faces of other pieces. */
 vs_status vs_p_loaded_faces(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
-  VS_ROOTS(vm, r, 2); /* roots: the result, the pieces that remain */
+  VS_ROOTS(vm, r, 2); /* roots of the garbage collector: the result, the pieces not yet read */
   r[0] = VS_NIL, r[1] = vs_arg_value(f, 0);
   loading l = { .f = f, .made = &r[0] };
   for (vs_value p = r[1]; vs_is_pair(p); p = vs_cdr(p)) l.piece_count++;

@@ -1,5 +1,5 @@
-/* Takes the files of models apart into Scheme data: the chunks of a .glb, the XML of a .x3d, a part of a .3mf. Numbers
- * are bytevectors of doubles. load_model.scm makes objects of them.
+/* Converts model files to Scheme data: the chunks of a .glb, the XML of a .x3d, a part of a .3mf. Sequences of numbers
+ * are bytevectors of doubles. load_model.scm creates objects from these data.
  *
  * The library libzip, which unpacks .3mf, is loaded when it is first used. */
 #include "bind/incoming/model_bytes.h"
@@ -24,14 +24,14 @@ static uint32_t u32_at(const unsigned char *b) {
   return (uint32_t)b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 | (uint32_t)b[3] << 24;
 }
 
-/* Makes a bytevector of a part of a text. */
+/* Sets *out to a bytevector with a copy of the `count` bytes at `at`. */
 static bool bytes_of(vs_scheme *vm, const char *at, size_t count, vs_value *out) {
   if (!vs_make_bytes(vm, count, out)) return false;
   if (count) memcpy(vs_as_bytes(*out)->at, at, count);
   return true;
 }
 
-/* Returns a pair: the JSON as a string, and the bytes of the binary chunk. */
+/* Sets *out to a pair: the JSON chunk of a .glb as a string, and the bytes of its binary chunk. */
 static vs_status glb_chunks(vs_scheme *vm, vs_value path, const vs_text *file, vs_value *out) {
   const unsigned char *b = (const unsigned char *)file->at;
   if (file->count < 20 || memcmp(b, "glTF", 4) != 0)
@@ -64,7 +64,8 @@ static vs_status glb_chunks(vs_scheme *vm, vs_value path, const vs_text *file, v
 
 VS_DYNAMIC_FUNCTIONS(ZIP_FUNCTIONS);
 
-/* Appends a part of the package to *out. Sets *found to whether it has the part, in any case of its letters. */
+/* Appends the text of a part of the .3mf package to *out. Sets *found to true if the package has the part; upper and
+ * lower case of its name count as equal. */
 static bool unpack(vs_scheme *vm, const dynamic_functions *z, zip_t *zip, const char *part, bool *found, bool *whole,
                    vs_text *out) {
   static const uint64_t most = UINT64_C(1) << 32; /* bytes; a small package can unpack to any size */
@@ -80,7 +81,7 @@ static bool unpack(vs_scheme *vm, const dynamic_functions *z, zip_t *zip, const 
   return ok || out->count >= most;
 }
 
-/* Returns the XML events of a part of the package, or #f if it has no such part. */
+/* Sets *out to the XML events of a part of the .3mf package, or to #f if the package has no such part. */
 static vs_status package_part(vs_scheme *vm, vs_value path, vs_value name, const vs_text *file, vs_value *out) {
   dynamic_functions z;
   vs_error e = { 0 };
@@ -107,8 +108,8 @@ static vs_status package_part(vs_scheme *vm, vs_value path, vs_value name, const
   return ok;
 }
 
-/* (%load-model path part): returns the chunks of a .glb if part is #t, and the events of an XML file if it is #f. A
- * string names a part of the package: returns its events, or #f. */
+/* (%load-model path part): if part is #t, returns the chunks of a .glb; if it is #f, the events of an XML file. If it
+ * is a string, returns the XML events of this part of a .3mf package, or #f. */
 static vs_status load_model(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   vs_text file;
@@ -122,7 +123,7 @@ static vs_status load_model(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 
 /* ---- numbers ---- */
 
-/* The number at b of glTF's component type. */
+/* Returns the number at b, which has the component type `type` of glTF. */
 static double component_at(const unsigned char *b, int64_t type) {
   uint32_t bits = type >= 5125 ? u32_at(b) : 0, half = (uint32_t)b[0] | (type >= 5122 ? (uint32_t)b[1] << 8 : 0);
   float f;
@@ -140,9 +141,10 @@ static int64_t component_size(int64_t type) {
   return type == 5120 || type == 5121 ? 1 : type == 5122 || type == 5123 ? 2 : type == 5125 || type == 5126 ? 4 : 0;
 }
 
-/* (%glb-numbers bytes offset end stride count width type): returns the numbers of `count` items from the offset on,
- * each of `width` components of a type of glTF; stride 0: the items follow each other. Returns #f if the bytes before
- * `end` do not have them. Each of these is a fixnum from 0 to 2^33, and `end` at most the number of bytes. */
+/* (%glb-numbers bytes offset end stride count width type): returns the numbers of `count` items from `offset` on, each
+ * with `width` components of a type of glTF. stride: distance between items in bytes; 0: the items follow each other.
+ * Returns #f if an item exceeds `end`. Each argument except bytes is a fixnum from 0 to 2^33, and `end` is at most the
+ * number of bytes. */
 static vs_status glb_numbers(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   int64_t at[6];
@@ -167,7 +169,8 @@ static vs_status glb_numbers(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* (%text-numbers text): returns the numbers of a text, with blanks or commas between them, or #f if it has others. */
+/* (%text-numbers text): returns the numbers in a text, separated by blanks or commas, or #f if the text contains
+ * anything else. */
 static vs_status text_numbers(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   vs_text text, numbers;
@@ -191,7 +194,7 @@ static vs_status text_numbers(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   return ok;
 }
 
-/* (%numbers-times bytes k): returns each number times k. */
+/* (%numbers-times bytes k): returns the numbers in `bytes`, each multiplied by k. */
 static vs_status numbers_times(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   size_t count = (size_t)vs_as_bytes(a[0])->length / 8;
@@ -207,7 +210,7 @@ static vs_status numbers_times(vs_scheme *vm, vs_value *a, int n, vs_value *out)
   return VS_OK;
 }
 
-/* (%numbers-counted n): returns the numbers from 0 to n - 1. */
+/* (%numbers-counted n): returns the numbers 0 to n - 1. */
 static vs_status numbers_counted(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   int64_t count;
@@ -220,7 +223,7 @@ static vs_status numbers_counted(vs_scheme *vm, vs_value *a, int n, vs_value *ou
   return VS_OK;
 }
 
-/* (%numbers->list bytes) */
+/* (%numbers->list bytes): returns a list of the numbers in `bytes`. */
 static vs_status numbers_list(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   VS_ROOTS(vm, r, 1);
@@ -243,8 +246,8 @@ static int compare_paints(const void *a, const void *b) {
   return p->triangle < q->triangle ? -1 : p->triangle > q->triangle;
 }
 
-/* (%painted-triangles bytes): bytes has five numbers for each triangle: v1 v2 v3 pid p1. Returns the list of (pid p1 .
- * corners), one for each pair of pid and p1. */
+/* (%painted-triangles bytes): bytes has five numbers for each triangle: three corners v1 v2 v3, and pid p1, which
+ * select its material in 3MF. Returns a list of (pid p1 . corners), one for each pair of pid and p1. */
 static vs_status painted_triangles(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   size_t count = (size_t)vs_as_bytes(a[0])->length / 40;

@@ -1,4 +1,4 @@
-/* Declares the natives that take the files of models apart, implemented in model_bytes.c. */
+/* Declares the natives that convert model files to Scheme data, implemented in model_bytes.c. */
 #ifndef VS_BIND_INCOMING_MODEL_BYTES_H
 #define VS_BIND_INCOMING_MODEL_BYTES_H
 

@@ -1,4 +1,4 @@
-/* Reads clouds of points for programs. */
+/* Reads files of point clouds for programs. */
 #include "bind/call/call.h"
 #include "bind/call/give.h"
 #include "bind/call/raise.h"

@@ -1,4 +1,4 @@
-/* Takes an XML file apart into Scheme data with the library expat, which is loaded when it is first used. */
+/* Converts an XML file to Scheme data with the library expat, which is loaded when it is first used. */
 #include "bind/incoming/xml_events.h"
 
 #include <expat.h>
@@ -26,8 +26,8 @@
 
 VS_DYNAMIC_FUNCTIONS(EXPAT_FUNCTIONS);
 
-/* events: the list that the native returns, newest first; path: a root; text: the characters since the last tag;
- * meshes: whether vertices and triangles become `numbers`. */
+/* State of reading an XML file. events: the list that the native returns, newest first; path: a root of the garbage
+ * collector; text: the characters since the last tag; meshes: whether `numbers` collects vertices and triangles. */
 typedef struct {
   vs_scheme *vm;
   vs_value *events;
@@ -56,7 +56,7 @@ static const char *local_name(const char *name) { /* returns the name without th
 
 static bool add_start(xml_reading *x, const char *name, const char **attributes) {
   vs_scheme *vm = x->vm;
-  VS_ROOTS(vm, r, 2); /* roots: the list, a value */
+  VS_ROOTS(vm, r, 2); /* roots of the garbage collector: the list of events, a value */
   r[0] = VS_NIL;
   size_t count = 0;
   while (attributes[count]) count += 2;
@@ -79,7 +79,8 @@ static bool is_number_element(const xml_reading *x, const char *name) {
   return x->meshes && (!strcmp(name, "vertex") || !strcmp(name, "triangle"));
 }
 
-/* Adds the number of an attribute. Without the attribute, adds `absent`, or sets the error if absent is NAN. */
+/* Adds the number in the attribute `name`. If the attribute is missing, adds `absent`, or sets the error if absent is
+ * NAN. */
 static bool add_number(xml_reading *x, const char **attributes, const char *name, double absent) {
   double d = absent;
   size_t i = 0;
@@ -107,7 +108,7 @@ static bool add_numbers(xml_reading *x, const char *name, const char **attribute
          add_number(x, attributes, "p1", -1);
 }
 
-/* Adds the numbers since the last call as an event. */
+/* Adds an event with the numbers that were collected since the last such event. */
 static bool add_collected(xml_reading *x) {
   VS_ROOTS(x->vm, r, 1);
   if (!vs_make_bytes(x->vm, x->numbers.count, &r[0])) return false;
@@ -126,7 +127,7 @@ static void xml_start(void *user, const XML_Char *name, const XML_Char **attribu
   xml_reading *x = user;
   bool numbers = is_number_element(x, name);
   if (x->failed) return;
-  x->text.count = numbers ? 0 : x->text.count; /* between the vertices there are blanks alone */
+  x->text.count = numbers ? 0 : x->text.count; /* between the elements of a mesh there are only blanks */
   if (!(vs_poll(x->vm, 64) && add_text(x) &&
         (numbers ? add_numbers(x, name, attributes) : add_start(x, name, attributes))))
     quit(x);
@@ -144,7 +145,7 @@ static void xml_characters(void *user, const XML_Char *at, int count) {
 }
 
 static bool parse_xml(xml_reading *x, const vs_text *text) {
-  enum { PIECE = 1 << 20 }; /* expat takes at most an int of bytes at a time */
+  enum { PIECE = 1 << 20 }; /* expat accepts fewer than 2^31 bytes in one call */
   x->parser = x->call.create(NULL);
   if (!x->parser) return vs_fail_memory(x->vm);
   x->call.user(x->parser, x);
@@ -168,7 +169,7 @@ static bool parse_xml(xml_reading *x, const vs_text *text) {
 
 vs_status vs_xml_text_events(vs_scheme *vm, vs_value path, const vs_text *text, bool meshes, vs_value *out) {
   vs_error e = { 0 };
-  VS_ROOTS(vm, r, 2); /* roots: the events, the path */
+  VS_ROOTS(vm, r, 2); /* roots of the garbage collector: the events, the path */
   r[0] = VS_NIL, r[1] = path;
   xml_reading x = { .vm = vm, .events = &r[0], .path = &r[1], .meshes = meshes };
   if (!vs_dynamic_load(VS_LIBRARY_EXPAT, "XML", dynamic_names, sizeof dynamic_names / sizeof *dynamic_names, &x.call,

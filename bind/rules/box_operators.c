@@ -24,8 +24,8 @@
 
 static vs_vec3 between(vs_vec3 a, vs_vec3 b, double t) { return vs_v3_add(a, vs_v3_scale(vs_v3_sub(b, a), t)); }
 
-/* A part of a scope along an axis. whole: length of the scope; from: position of the part's start; size: length of the
- * part. The part becomes child `index` of `count`. */
+/* A part of a scope along an axis. whole: length of the scope; from: start of the part; size: length of the part, all
+ * along this axis. The part becomes child `index` of `count` children. */
 typedef struct { int axis; double whole, from, size; uint32_t index, count; } slice;
 
 static vs_scope *part_of(vs_derivation *d, vs_scope *s, const char *op, const slice *p) {
@@ -59,7 +59,8 @@ typedef struct {
   vs_value rule;
 } part;
 
-/* Reads a part of a split. (absolute n rule), (relative n rule) and (rest rule) are vectors #(kind number rule). */
+/* Reads a part of a split from v: (absolute n rule), (relative n rule) and (rest rule) are vectors #(kind number rule).
+ * whole: length of the scope along the axis. */
 static bool read_part(vs_args *f, vs_value v, double whole, part *out) {
   const vs_vector *p = vs_is_vector(v) && vs_as_vector(v)->length == 3 ? vs_as_vector(v) : NULL;
   double n;
@@ -159,7 +160,7 @@ vs_status vs_p_scope_repeat(vs_args *f, vs_value *out) {
 /* ---- the operator component ---- */
 
 /* The faces of a box. Each is described by three corners: its first corner, the next corner along the face's x, and the
- * next corner along its y. Seen from outside, y points up. */
+ * next corner along the face's y. Seen from outside, y points up. */
 enum { FRONT, BACK, LEFT, RIGHT, TOP, BOTTOM, FACES };
 static const struct {
   const char *name;
@@ -171,7 +172,8 @@ static const struct {
 static const uint8_t side_order[] = { FRONT, RIGHT, BACK, LEFT }; /* the sides in order around the box */
 static const uint8_t face_order[] = { FRONT, RIGHT, BACK, LEFT, TOP, BOTTOM };
 
-/* Makes s a box without depth: its first corner is a, x points towards b, and y, perpendicular to x, towards c. */
+/* Sets s to a box without depth. Its first corner is a; its x points towards b; its y, perpendicular to x, points
+ * towards c. */
 static void lay_box(vs_scope *s, vs_vec3 a, vs_vec3 b, vs_vec3 c) {
   vs_vec3 u = vs_v3_sub(b, a), v = vs_v3_sub(c, a), x = vs_v3_unit(u);
   vs_vec3 y = vs_v3_unit(vs_v3_sub(v, vs_v3_scale(x, vs_v3_dot(x, v))));
@@ -179,8 +181,8 @@ static void lay_box(vs_scope *s, vs_vec3 a, vs_vec3 b, vs_vec3 c) {
   s->as.box.size = vs_v3(vs_v3_length(u), fabs(vs_v3_dot(y, v)), 0);
 }
 
-/* Makes child a face of the box or hexahedron s. Uses the axes of s's frame, so that s may have no size along one of
- * them. */
+/* Sets child to a face of the box or hexahedron s. The child's axes are derived from the axes of s's frame, so that s
+ * may have size 0 along one of them. */
 static void lay_face(vs_scope *child, const vs_scope *s, int face) {
   const uint8_t first = faces[face].first, along = faces[face].along, up = faces[face].up;
   if (s->class_ == VS_SCOPE_FFD) { /* child becomes a hexahedron whose edges along z have length 0 */
@@ -189,7 +191,7 @@ static void lay_face(vs_scope *child, const vs_scope *s, int face) {
     return;
   }
   static const uint8_t axis_of[8] = { 0, 0, 1, 0, 2, 0, 0, 0 }; /* axis_of[b]: axis along which two corners differ if
-                                                                 * their numbers differ by the bit b */
+                                                                 * their numbers differ only in bit b */
   int ax = axis_of[first ^ along], ay = axis_of[first ^ up];
   double sx = along > first ? 1 : -1, sy = up > first ? 1 : -1;
   vs_vec3 x = vs_v3_scale(vs_affine_column(&s->as.box.frame, ax), sx),
@@ -200,8 +202,8 @@ static void lay_face(vs_scope *child, const vs_scope *s, int face) {
   child->as.box.size = vs_v3(size[ax], size[ay], 0);
 }
 
-/* Makes child the edge of s from corner a to corner b. The child's y is perpendicular to the edge, and as near as
- * possible to the y of s; for an edge along y, to the x of s. */
+/* Sets child to the edge of s from corner a to corner b. The child's y is perpendicular to the edge, and as close as
+ * possible to the y of s or, for an edge along y, to the x of s. */
 static void lay_edge(vs_scope *child, const vs_scope *s, int a, int b) {
   vs_affine frame = vs_scope_frame(s);
   vs_vec3 from = vs_scope_corner(s, a & 1, a >> 1 & 1, a >> 2), to = vs_scope_corner(s, b & 1, b >> 1 & 1, b >> 2);
@@ -281,8 +283,8 @@ static side side_of(const vs_scope *s, uint32_t k) {
   return (side){ a, b, outer_angle(p, a, b, z), outer_angle(a, b, q, z) };
 }
 
-/* Makes c edge or vertex i of a sampled curve, with y as near as possible to the world's Z. The last vertex of an open
- * curve has the frame of the last edge. */
+/* Sets c to edge or vertex i of a sampled curve. Its y is as close as possible to the world's Z. The last vertex of an
+ * open curve has the frame of the last edge. */
 static void lay_sample(vs_scope *c, const vs_scope *s, uint32_t i, bool vertex) {
   const vs_points *p = s->loops->points;
   bool end = !s->closed && i + 1 == p->count;
@@ -338,9 +340,9 @@ vs_status vs_p_scope_component(vs_args *f, vs_value *out) {
 
 /* ---- the operator extrude ---- */
 
-/* Extrudes a polygon by h and divides the result. Each side becomes a box of height h without depth. Further children
- * are the polygons at the top and, facing down, at the bottom. A box without depth counts as the polygon of its
- * corners. */
+/* Extrudes a polygon by h, and creates a child for each part of the result. Each side becomes a box of height h without
+ * depth. The last two children are the polygon at the top and the polygon at the bottom, which faces down. A box
+ * without depth counts as the polygon of its corners. */
 vs_status vs_p_scope_extrude(vs_args *f, vs_value *out) {
   vs_scheme *vm = f->vm;
   VS_ROOTS(vm, r, 4);
@@ -399,9 +401,9 @@ static vs_vec3 at_angle(const vs_scope *s, double x, double angle, int j) {
   return vs_affine_point(&s->as.box.frame, vs_v3(x * cosine, j * s->as.box.size.y, x * sine));
 }
 
-/* Creates the wedge that fills half of a corner of this angle. It lies between the front rectangle of a box and the
- * same rectangle, rotated so that its edge at the greatest x moves along z. Creates nothing if the angle is not
- * positive. */
+/* Implements the operator prism: creates the wedge that fills half of a corner with this angle. It lies between the
+ * front rectangle of a box and the same rectangle, rotated so that its edge at the greatest x moves along z. Creates
+ * nothing if the angle is not positive. */
 vs_status vs_p_scope_prism(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   if (!vs_rules_class(f, 0, VS_SCOPE_BIT(BOX))) return VS_ERROR;
@@ -427,8 +429,8 @@ vs_status vs_p_scope_prism(vs_args *f, vs_value *out) {
   return vs_task_push(d, t) ? VS_OK : VS_ERROR;
 }
 
-/* Rotates the front rectangle about its edge at x = 0, from x towards z. Divides the swept sector into wedges of about
- * the angle `approx`. */
+/* Implements the operator round corner: rotates the front rectangle about its edge at x = 0, from x towards z, and
+ * divides the swept sector into wedges of about the angle `approx`. */
 vs_status vs_p_scope_round_corner(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   if (!vs_rules_class(f, 0, VS_SCOPE_BIT(BOX))) return VS_ERROR;
@@ -455,7 +457,8 @@ vs_status vs_p_scope_round_corner(vs_args *f, vs_value *out) {
   return vs_task_push(d, t) ? VS_OK : VS_ERROR;
 }
 
-/* Adds a scope for the triangle of these three points as child i. If it fails, sets the error and returns false. */
+/* Adds a scope for a triangle, given by three points, as child i of `parent`. If it fails, sets the error and returns
+ * false. */
 static bool add_triangle(vs_derivation *d, vs_rule_task *t, vs_scope *parent, const char *op, uint32_t i,
                          const vs_vec3 p[3]) {
   vs_scope *c = t->child[i] = vs_rules_child(d, parent, VS_SCOPE_TRIANGLE, op, i, t->count);

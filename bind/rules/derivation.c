@@ -1,5 +1,5 @@
-/* Implements derivations (applications of rules to a scope and its children): their begin and end, the stack of waiting
- * scopes, the objects that rules have created, and their random numbers. */
+/* Implements derivations (applications of rules to a scope and its children): their begin and end, the stack of scopes
+ * that wait for their rules, the objects that rules have created, and their random numbers. */
 #include "bind/rules/derivation.h"
 
 #include <stdio.h>
@@ -68,8 +68,8 @@ static void derivation_release(void *object) {
 const vs_foreign_type vs_derivation_type = { "a derivation", derivation_release, NULL, NULL,
                                              NULL,           derivation_trace,   false };
 
-/* Returns the address by which a scope's Scheme object is marked as live (being processed): that of its derivation,
- * plus 1 if the rule is to run at once. */
+/* Returns the address by which a scope's Scheme object is marked as live (being processed by the derivation d): the
+ * address of d, plus 1 if the rule is to run at once. */
 static const void *live_mark(const vs_derivation *d, bool run) { return (const char *)d + run; }
 static bool is_live(const vs_bind *b, vs_value wrapper, bool *run) {
   const void *with = vs_as_foreign(wrapper)->with;
@@ -78,8 +78,8 @@ static bool is_live(const vs_bind *b, vs_value wrapper, bool *run) {
   return *run || with == live_mark(b->growing, false);
 }
 
-/* Forgets a derivation that was ended by an uncaught error, which does not restore b->growing. A running derivation has
- * an entry in the list of winders (dynamic-wind). If this list is empty, the derivation has ended. */
+/* Removes a derivation that was ended by an uncaught error, which does not restore b->growing. A running derivation has
+ * an entry in the list vm->winders (dynamic-wind). If this list is empty, the derivation has ended. */
 static void forget_ended(vs_bind *b) {
   if (!b->growing || b->vm->winders != VS_NIL) return;
   if (!b->growing->outer) vs_random_restore(b->vm, b->growing->random);
@@ -103,7 +103,7 @@ static vs_derivation *derivation_new(vs_bind *b, vs_value *holder) {
   d->lineage = outer ? vs_lineage_retain(outer->lineage) : vs_lineage_new(b->store);
   if (!d->lineage) return vs_store_realloc(b->store, d, sizeof *d, 0), (void)vs_fail_memory(b->vm), NULL;
   return vs_make_foreign(b->vm, &vs_derivation_type, d, sizeof *d, holder) ? d
-                                                                           : NULL; /* if it fails, vs_make_foreign has
+                                                                           : NULL; /* if vs_make_foreign fails, it has
                                                                                     * released the derivation */
 }
 
@@ -131,8 +131,8 @@ vs_rule_task *vs_task_new(vs_derivation *d, uint32_t count, bool many) {
   return t;
 }
 
-/* Adds an entry to the derivation's record: the running rule `rule` has created the scopes of t by the operator op.
- * Returns false when memory is out. */
+/* Adds an entry to the derivation's record: the running rule `rule` has created the scopes of the task t by the
+ * operator `op`. Returns false when memory is out. */
 static bool record(vs_derivation *d, vs_rule_task *t, const char *rule, const char *op) {
   uint32_t index = t->count == 1 && t->child[0] ? t->child[0]->index : 0;
   return vs_lineage_add(d->lineage,
@@ -256,15 +256,15 @@ vs_status vs_p_derivation_leave(vs_args *f, vs_value *out) {
   return vs_random_restore(f->vm, d->random) ? VS_OK : VS_ERROR;
 }
 
-/* Begins to apply a rule to s: from now on, random numbers depend on the scope's path. */
+/* Begins to apply the rule `name` to s: from now on, random numbers depend on the path of s. */
 static bool rule_begins(vs_derivation *d, const char *name, const vs_scope *s) {
   d->name = name;
   d->steps = 0;
   return vs_random_branch(d->vm, vs_scope_mix(s->hash, text_hash(name)));
 }
 
-/* Moves the scopes that waited for signals to the stack; the first of these scopes is on top. If it fails, sets the
- * error and returns false. */
+/* Moves the scopes that waited for signals to the stack of waiting scopes, in order, so that the first one is on top.
+ * If it fails, sets the error and returns false. */
 static bool waiting_begin(vs_derivation *d) {
   if (!vs_store_grow(d->store, &d->stack, &d->room, d->waiting_count, sizeof *d->stack))
     return vs_fail_memory(d->vm);
@@ -273,7 +273,7 @@ static bool waiting_begin(vs_derivation *d) {
 }
 
 /* (%derivation-next d): returns the next scope whose rule is a procedure, or #f at the end. %derivation-rule then
- * returns that rule. If a scope's rule is an object, places the object in the scope and continues. */
+ * returns that procedure. If a scope's rule is an object, places the object in the scope and continues. */
 vs_status vs_p_derivation_next(vs_args *f, vs_value *out) {
   vs_derivation *d = derivation_of(f);
   VS_ROOTS(f->vm, r, 2);
@@ -320,8 +320,8 @@ vs_status vs_p_derivation_rule(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* Sets an error about a value. The message begins with the name of the running rule, not of the native that found the
- * error. Returns false. */
+/* Sets the error that `got` is wrong. The message begins with the name of the running rule, not of the native that
+ * found the error. Returns false. */
 static bool refuse_of_rule(vs_args *f, const char *what, const char *expected, vs_value got) {
   VS_ROOTS(f->vm, r, 2);
   const vs_derivation *d = f->bind->growing;
@@ -364,7 +364,7 @@ vs_status vs_p_derivation_made(vs_args *f, vs_value *out) {
   return gather_value(f, d, d->now, v, "the value of a rule", expected) ? VS_OK : VS_ERROR;
 }
 
-/* (%derivation-object d): returns the union of all objects, and ends the derivation. */
+/* (%derivation-object d): returns the union of all objects that the rules have created, and ends the derivation. */
 vs_status vs_p_derivation_object(vs_args *f, vs_value *out) {
   vs_derivation *d = derivation_of(f);
   vs_store *s = f->store;
@@ -415,15 +415,16 @@ vs_status vs_p_marked(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* (%marked-as procedure like): marks the procedure if `like` is marked, and returns it. */
+/* (%marked-as procedure like): if the procedure `like` is marked as a rule or operator, also marks `procedure`. Returns
+ * it. */
 vs_status vs_p_marked_as(vs_args *f, vs_value *out) {
   vs_value like = f->arg[1].value;
   *out = f->arg[0].value;
   return vs_is(like, VS_T_CLOSURE) && vs_object_of(like)->flags & VS_F_MARKED ? vs_p_marked(f, out) : VS_OK;
 }
 
-/* (%live procedure s): returns the scope s for a call of the procedure in a rule's sequence. If the procedure is
- * marked, s is live, that is, refers to the running derivation. */
+/* (%live procedure s): returns the scope s as an argument for a call of the procedure in a rule. If the procedure is
+ * marked as a rule or operator, this scope is live: it refers to the running derivation. */
 vs_status vs_p_live(vs_args *f, vs_value *out) {
   vs_value procedure = f->arg[0].value, self = f->arg[1].value;
   *out = self;
@@ -436,8 +437,8 @@ vs_status vs_p_live(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* (%enter self name body): returns #t if the rule's body is to run now, #f if it waits on the stack. Outside of a
- * derivation, returns a new derivation that runs the body. */
+/* (%enter self name body): called by a rule. Returns #t if the rule's body is to run now, #f if it waits on the stack.
+ * Outside of a derivation, returns a new derivation that runs the body. */
 vs_status vs_p_rule_enter(vs_args *f, vs_value *out) {
   vs_bind *b = f->bind;
   vs_scope *s = f->arg[0].scope;
@@ -457,8 +458,8 @@ vs_status vs_p_rule_enter(vs_args *f, vs_value *out) {
   vs_rule_task *t = d ? vs_task_new(d, 1, false) : NULL;
   if (!t) return VS_ERROR;
   t->body = true, t->name = name, t->rules[0] = r[0];
-  if (live) { /* adds a level to the scope's path, so that two calls of rules on one scope have different random
-               * numbers */
+  if (live) { /* adds a level to the scope's path, so that two rules that are called with one scope have different
+               * random numbers */
     vs_scope *child = vs_rules_child(d, s, (vs_scope_class)s->class_, name, 0, 1);
     if (!child) return vs_task_drop(d, t), VS_ERROR;
     vs_scope_become(child, s);
@@ -502,7 +503,7 @@ vs_status vs_p_scope_await(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* (scope-signal s name): sends the signal to all scopes that wait for this name and touch s. */
+/* (scope-signal s name): sends the signal to all scopes that wait for a signal of this name and touch s. */
 vs_status vs_p_scope_signal(vs_args *f, vs_value *out) {
   vs_scope *s = f->arg[0].scope;
   const char *name = vs_store_text(f->store, f->arg[1].text.at, f->arg[1].text.length);
@@ -532,8 +533,8 @@ vs_status vs_p_scope_signals(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* (%took self value): processes the value of an expression in a rule's sequence. A scope becomes the new `self`; an
- * object is added to those of the derivation. */
+/* (%took self value): processes the value of an expression in a rule. A scope becomes the new `self`; an object is
+ * added to the objects of the derivation. */
 vs_status vs_p_took(vs_args *f, vs_value *out) {
   vs_value v = f->arg[1].value;
   *out = f->arg[0].value;
@@ -546,9 +547,9 @@ vs_status vs_p_took(vs_args *f, vs_value *out) {
              : VS_ERROR;
 }
 
-/* (%choose p ...): returns the index of the sequence to run in a clause of a rule. Each p is a probability; each #f
- * gets an equal part of the probability that remains. If all p are numbers and their sum is less than 1, may return -1,
- * which means no sequence. */
+/* (%choose p ...): returns the index of an alternative in a rule, chosen at random. Each p is a probability; each #f
+ * gets an equal part of the remaining probability. If all p are numbers and their sum is less than 1, the result may be
+ * -1, which means no alternative. */
 vs_status vs_p_choose(vs_args *f, vs_value *out) {
   size_t n = f->arg[0].values.count, open = 0;
   const vs_value *v = f->arg[0].values.at;
@@ -576,12 +577,12 @@ vs_status vs_p_choose(vs_args *f, vs_value *out) {
     if (x < p) return *out = vs_fix((int64_t)i), VS_OK;
     x -= p;
   }
-  /* If the sum of the probabilities is below 1 only by rounding, the last sequence is chosen; otherwise none is. */
+  /* If the sum of the probabilities is below 1 only by rounding, the last alternative is chosen; otherwise none. */
   *out = vs_fix(sum < 1 - 1e-9 && !open ? -1 : (int64_t)n - 1);
   return VS_OK;
 }
 
-/* Returns the position of the origin in the numbered files, or 0. */
+/* Returns the place of the origin, with the number of its file, or 0 if there is none. */
 static vs_pos position_of(vs_scheme *vm, const vs_origin *o) {
   vs_value files = vm->at.files;
   for (size_t i = 1; o && vs_is_vector(files) && i < vs_as_vector(files)->length; i++) {
@@ -625,15 +626,15 @@ vs_status vs_p_rule_refuses(vs_args *f, vs_value *out) {
   return VS_ERROR;
 }
 
-/* (%cons-at form head tail): returns a pair that has the place of the form, for macros whose results may appear in
- * messages. */
+/* (%cons-at form head tail): returns a pair (head . tail) with the place of the form. Macros use it for results that
+ * may appear in messages. */
 vs_status vs_p_cons_at(vs_args *f, vs_value *out) {
   vs_value form = f->arg[0].value;
   vs_pos pos = vs_is_pair(form) ? vs_pair_pos(form) : 0;
   if (!pos) return vs_cons(f->vm, f->arg[1].value, f->arg[2].value, out);
   return vs_cons_at(f->vm, f->arg[1].value, f->arg[2].value, pos, out);
 }
-/* (%place-of form): returns the place of the form as a number. */
+/* (%place-of form): returns the place of the form in the source as a number. */
 vs_status vs_p_place_of(vs_args *f, vs_value *out) {
   vs_value form = f->arg[0].value;
   *out = vs_fix(vs_is_pair(form) ? (int64_t)vs_pair_pos(form) : 0);

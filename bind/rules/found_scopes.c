@@ -1,6 +1,6 @@
-/* Searches an object for marked scopes. A mark is an object of its own kind, without geometry, that is created in a
- * scope. The library rules.scm creates marks like objects of define-primitive, so that they are moved and copied
- * together with the objects around them. */
+/* Searches an object for marked scopes. A mark is a node without geometry that is created in a scope. The library
+ * rules.scm creates marks like objects of define-primitive, so that they are moved and copied together with the objects
+ * around them. */
 #include "bind/call/give.h"
 #include "bind/call/positional.h"
 #include "bind/rules/derivation.h"
@@ -24,7 +24,7 @@ static bool is_mark(const vs_node *n) { return n->kind == VS_CUSTOM && !strcmp(V
 
 enum { WITHOUT = 1, WITH = 2 };
 
-/* Stores in `known`, for each node below n, whether it contains a mark. Returns false when memory is out. */
+/* Stores in `known`, for each node of the tree n, whether it contains a mark. Returns false when memory is out. */
 static bool note_marks(const vs_node *n, vs_nodemap *known) {
   visit *stack = NULL;
   size_t count = 0, room = 0;
@@ -38,7 +38,7 @@ static bool note_marks(const vs_node *n, vs_nodemap *known) {
       if (seen)
         v->found = v->found || *seen == WITH;
       else if (!child->child_count && !is_mark(child))
-        continue; /* a leaf without a mark gets no entry, since a drawing may have a million leaves */
+        continue; /* a leaf that is no mark gets no entry, since a drawing may have a million leaves */
       else if ((ok = VS_GROW(stack, room, count + 1)))
         stack[count++] = (visit){ child, 0, is_mark(child) };
       continue;
@@ -58,8 +58,8 @@ typedef struct {
   vs_affine map;
 } placed;
 
-/* (%find-scopes o): returns a list of (number . matrix) in the order of the tree: the number of a mark, and the
- * placement of the mark. */
+/* (%find-scopes o): returns a list of (number . matrix) for the marks in the object, in the order of its tree: the
+ * number of a mark, and its placement. */
 vs_status vs_p_marks(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   vs_nodemap known = { .store = vs_call_store(f) };
@@ -94,7 +94,7 @@ vs_status vs_p_marks(vs_args *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* Returns a copy of s that has the mark of this number. If it fails, sets the error and returns NULL. */
+/* Returns a copy of the scope s that has the mark with this number. If it fails, sets the error and returns NULL. */
 static vs_scope *with_mark(vs_args *f, vs_scope *s, int64_t number) {
   vs_scheme *vm = vs_call_vm(f);
   const vs_bind *b = vs_call_bind(f);
@@ -108,7 +108,8 @@ static vs_scope *with_mark(vs_args *f, vs_scope *s, int64_t number) {
   return c;
 }
 
-/* (%scope-mark s mark): adds the mark to the objects of the derivation, and returns a copy of s that has the mark. */
+/* (%scope-mark s mark): adds the mark to the objects of the running derivation, and returns a copy of the scope s that
+ * has the mark. */
 vs_status vs_p_scope_mark(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   const vs_node *n = vs_arg_ref(f, 1).node;
@@ -119,7 +120,8 @@ vs_status vs_p_scope_mark(vs_args *f, vs_value *out) {
   return s ? vs_bind_give_scope(vm, s, out) : VS_ERROR;
 }
 
-/* (%scope-found s number matrix): returns a copy of s that is moved by the matrix and has the mark of this number. */
+/* (%scope-found s number matrix): returns a copy of the scope s that is moved by the matrix and has the mark with this
+ * number. */
 vs_status vs_p_scope_found(vs_args *f, vs_value *out) {
   vs_scope *s = with_mark(f, vs_arg_scope(f, 0), vs_arg_integer(f, 1));
   if (!s) return VS_ERROR;
@@ -129,7 +131,7 @@ vs_status vs_p_scope_found(vs_args *f, vs_value *out) {
   return vs_bind_give_scope(vs_call_vm(f), at, out);
 }
 
-/* (%scope-mark-number s): returns the number of the scope's mark, or #f. */
+/* (%scope-mark-number s): returns the number of the mark of the scope s, or #f if s has no mark. */
 vs_status vs_p_scope_mark_number(vs_args *f, vs_value *out) {
   const vs_scope_extra *e = vs_arg_scope(f, 0)->extra;
   *out = e && e->mark ? vs_fix(e->mark->id) : VS_FALSE;

@@ -22,8 +22,8 @@ void vs_lineage_release(vs_lineage *r) {
 }
 
 bool vs_lineage_add(vs_lineage *r, vs_lineage_entry entry, const char *rule, const char *op, uint32_t *number) {
-  /* Searches the pairs of rule and operator from the end: a program has a few dozen, and mostly uses the latest
-   * again. */
+  /* Searches the pairs of rule and operator from the last to the first: a program has a few dozen, and mostly uses the
+   * latest again. */
   size_t site = r->site_count;
   while (site > 0 && (r->sites[site - 1].rule != rule || r->sites[site - 1].op != op)) site--;
   if (site == 0) {
@@ -73,8 +73,8 @@ void vs_lineage_free(vs_bind *b) {
   b->records = NULL, b->record_room = b->record_limit = 0;
 }
 
-/* Returns the latest record of the node n. If n has none and a single child, continues with the child. Returns NULL if
- * there is no record. */
+/* Returns the latest record of the node n. If n has no record and a single child, continues with this child. Returns
+ * NULL if no record is found. */
 static const vs_lineage *record_of(const vs_bind *b, const vs_node *n) {
   for (;;) {
     for (size_t i = b->record_count; i-- > 0;)
@@ -89,9 +89,9 @@ static bool symbol_or_false(vs_scheme *vm, const char *name, vs_value *out) {
   return !name || vs_intern_c(vm, name, out);
 }
 
-/* (%derivation-record o): returns #f, or a vector with six values for each entry of the record, parents first. The
- * values are: the number of the parent entry, the position in the parent entry, the number of scopes, the index of a
- * single scope, the rule, the operator. */
+/* (%derivation-record o): returns #f, or a vector with six values for each entry of the object's record, parents first.
+ * The values are: the number of the parent entry, the position of the parent scope in it, the number of scopes, the
+ * index of a single scope, the rule, the operator. */
 vs_status vs_p_derivation_record(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   const vs_lineage *r = record_of(vs_call_bind(f), vs_arg_ref(f, 0).node);

@@ -11,18 +11,19 @@
 
 typedef struct vs_bind vs_bind;
 
-/* An entry of the record: the scopes that one operator created from the scope number `position` of entry `parent`. The
- * first entry is the root, which is its own parent. */
+/* An entry of the record: the `count` scopes that one operator created from one scope. That scope is number `position`
+ * of entry `parent`. The first entry is the root, which is its own parent. */
 typedef struct {
   uint32_t parent, position, count;
-  uint32_t index; /* index of a single scope; in an entry of several scopes, the index of each is its position */
-  uint32_t site;  /* index in the record's table of pairs (rule, operator) */
+  uint32_t index; /* index of a single scope among the children of its operator; in an entry of several scopes, the
+                   * index of each is its position */
+  uint32_t site;  /* index of the pair (rule, operator) in the record's table of such pairs */
 } vs_lineage_entry;
 
 typedef struct vs_lineage vs_lineage;
 struct vs_lineage {
   uint32_t refs;
-  vs_store *store; /* the store that allocates the record, retained */
+  vs_store *store; /* the store in which the record allocates memory, retained */
   vs_lineage_entry *at;
   size_t count, room;
   struct vs_lineage_site {
@@ -37,11 +38,11 @@ static inline vs_lineage *vs_lineage_retain(vs_lineage *r) {
   return r;
 }
 void vs_lineage_release(vs_lineage *r); /* Releases a reference to the record. NULL is permitted. */
-/* Adds an entry for operator op of a rule (NULL: outside of any rule); the store owns the names. Sets *number to the
- * entry's index. Returns false when memory is out. */
+/* Adds an entry for scopes that the operator op has created in a rule (NULL: outside of any rule). The store owns the
+ * two names. Sets *number to the entry's number. Returns false when memory is out. */
 bool vs_lineage_add(vs_lineage *r, vs_lineage_entry entry, const char *rule, const char *op, uint32_t *number);
 
-/* Adds the record of a derivation and its object n to the table. Returns false when memory is out. */
+/* Adds the object n of a derivation, and the derivation's record, to the table. Returns false when memory is out. */
 bool vs_lineage_keep(vs_bind *b, vs_node *n, vs_lineage *r);
 void vs_lineage_free(vs_bind *b); /* Frees the table, and releases all its objects and records. */
 

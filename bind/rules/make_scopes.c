@@ -20,8 +20,8 @@
 
 /* ---- creating scopes ---- */
 
-/* Makes s a child of the scope to which the running rule is applied. The path of s then continues that scope's path,
- * and s has that scope's flags; random numbers depend on the places of both scopes. */
+/* Makes s a child of the scope to which the running rule is applied: its path continues that scope's path, and it has
+ * that scope's flags. Random numbers then depend on the places of both scopes. */
 static void stand_in(vs_scope *s, const vs_derivation *d, const char *op) {
   s->parent = vs_scope_retain(d->now), s->depth = d->now->depth + 1;
   s->rule = d->name, s->op = op;
@@ -66,7 +66,8 @@ vs_status vs_p_make_turtle_scope(vs_args *f, vs_value *out) {
   return made(f, s, vs_arg_point(f, 0), out);
 }
 
-/* Sets the frame and size of the scope s to the bounding box of an object, with the axes of a root box. */
+/* Sets the frame and size of the scope s to the bounding box of an object, with the axes of a scope outside of any
+ * rule. */
 static bool box_around(vs_args *f, vs_scope *s, vs_ref object) {
   vs_scheme *vm = vs_call_vm(f);
   vs_bounds b;
@@ -95,8 +96,8 @@ vs_status vs_p_make_surface_scope(vs_args *f, vs_value *out) {
   return object_scope(f, VS_SCOPE_SURFACE, out);
 }
 
-/* Returns the loops of one area of a region: its outer loop and its holes. *next is the index of the outer loop, and is
- * set to that of the next area. If it fails, sets the error and returns NULL. */
+/* Returns the loops of one area of the region o: the area's outer loop and its holes. *next is the index of the outer
+ * loop, and becomes that of the next area. If it fails, sets the error and returns NULL. */
 vs_scope_loops *vs_rules_outline_loops(vs_args *f, const vs_outline *o, size_t *next) {
   size_t first = *next, end = first + 1, points = 0;
   while (end < o->count && o->hole[end]) end++;
@@ -258,7 +259,7 @@ vs_status vs_p_scope_path(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* (scope-region s): returns the region that the loops of a polygon or triangle scope bound. */
+/* (scope-region s): returns the region that the loops of the scope s enclose; s is a polygon or triangle. */
 vs_status vs_p_scope_region(vs_args *f, vs_value *out) {
   if (!vs_rules_class(f, 0, VS_SCOPE_BIT(POLYGON) | VS_SCOPE_BIT(TRIANGLE))) return VS_ERROR;
   const vs_scope_loops *l = vs_arg_scope(f, 0)->loops;

@@ -8,8 +8,8 @@
 
 typedef struct vs_args vs_args;
 
-/* Returns the loops of one area of an outline. *next is the index of its outer loop, and is set to that of the next
- * area. If it fails, sets the error and returns NULL. */
+/* Returns the loops of one area of an outline: the area's outer loop and its holes. *next is the index of the outer
+ * loop, and becomes that of the next area. If it fails, sets the error and returns NULL. */
 vs_scope_loops *vs_rules_outline_loops(vs_args *f, const vs_outline *o, size_t *next);
 
 #endif

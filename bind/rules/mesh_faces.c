@@ -1,8 +1,8 @@
 /* Computes the components of a scope that is a mesh: the faces of its object as polygon scopes, and their edges and
  * vertices.
  *
- * Polyface meshes and boxes have faces already. A region or closed curve has a face for each of its areas. The faces
- * of other solids and surfaces are the triangles of their mesh. An edge or a vertex that several faces share occurs
+ * Polyface meshes and boxes already have faces. A region or closed curve has a face for each of its areas. The faces of
+ * other solids and surfaces are the triangles of their mesh. An edge or a vertex that several faces share is listed
  * once. */
 #include "bind/rules/mesh_faces.h"
 
@@ -26,7 +26,7 @@
 
 typedef struct {
   vs_args *f;
-  vs_scope_loops **at; /* loops of the faces, in an array in the call's scratch memory */
+  vs_scope_loops **at; /* at[i]: loops of face i; the array is freed when the call ends */
   size_t count, room;
 } faces;
 
@@ -98,7 +98,7 @@ static bool add_leaf(faces *all, vs_ref ref, const vs_affine *map) {
   return ok;
 }
 
-/* Adds the faces of an object. Visits unions, placements and wrappers with an explicit stack. */
+/* Adds the faces of the object `root`. Visits unions, placements and wrappers with an explicit stack. */
 static bool add_object(faces *all, vs_ref root) {
   typedef struct {
     vs_ref ref;
@@ -129,7 +129,8 @@ static bool add_object(faces *all, vs_ref root) {
   return true;
 }
 
-/* An edge of a face, from a to b in the order of its corners. If a and b are equal, it represents a vertex. */
+/* An edge of a face, from a to b. order: its number among all edges of the faces. If a and b are equal, it represents a
+ * vertex. */
 typedef struct { vs_vec3 a, b; size_t order; } face_edge;
 
 static int by_place(vs_vec3 p, vs_vec3 q) {
@@ -138,7 +139,7 @@ static int by_place(vs_vec3 p, vs_vec3 q) {
   return p.z == q.z ? 0 : p.z < q.z ? -1 : 1;
 }
 
-/* Compares two edges by their end points; the direction does not matter. */
+/* Compares two edges by their end points, ignoring their direction. */
 static int compare_edges(const face_edge *p, const face_edge *q) {
   bool p_back = by_place(p->a, p->b) > 0, q_back = by_place(q->a, q->b) > 0;
   int low = by_place(p_back ? p->b : p->a, q_back ? q->b : q->a);
@@ -156,8 +157,8 @@ static int by_order(const void *p, const void *q) {
   return (e->order > f->order) - (e->order < f->order);
 }
 
-/* Sets *out to the edges or vertices of all faces, each once, in the order of the faces, and *count to their number.
- * The array is freed when the call ends. */
+/* Sets *out to the edges or vertices of all faces, without duplicates, in the order of the faces, and *count to their
+ * number. The array is freed when the call ends. */
 static bool edges_once(const faces *all, bool vertices, face_edge **out, size_t *count) {
   size_t n = 0, kept = 0;
   for (size_t i = 0; i < all->count; i++) n += all->at[i]->points->count;
@@ -178,8 +179,9 @@ static bool edges_once(const faces *all, bool vertices, face_edge **out, size_t 
   return true;
 }
 
-/* Sets c to component i of the mesh scope s: a face with its loops, or an edge or vertex with a frame parallel to that
- * of s. The y of a vertical edge is nearest the x of that frame. */
+/* Sets c to component i of the mesh scope s: a face with its loops, or an edge or vertex with a frame parallel to
+ * that of s. The y of a vertical edge is as close as possible to the x of that frame. Returns false for a face
+ * without area. */
 static bool lay_component(vs_scope *c, const vs_scope *s, faces *all, const face_edge *edges, size_t i) {
   if (!edges) {
     c->loops = all->at[i], all->at[i] = NULL;

@@ -6,7 +6,7 @@
 
 typedef struct vs_args vs_args;
 
-/* Implements scope-component for mesh scopes. */
+/* Implements scope-component for scopes that are meshes. of: the components, such as faces or edges. */
 vs_status vs_mesh_components(vs_args *f, const char *of, vs_value *out);
 
 #endif
