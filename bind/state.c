@@ -1,5 +1,5 @@
-/* Creates and frees the data that an interpreter has outside of its heap. Also determines the model of a file: the
- * objects that it draws or, if it draws none, the values of its top-level expressions. */
+/* Creates and frees the data that an interpreter has outside of its Scheme heap. Also determines the model of a
+ * program: the objects that it draws or, if it draws none, the values of its top-level expressions. */
 #include "bind/measures.h"
 #include "bind/state.h"
 
@@ -40,7 +40,7 @@ static void forget_returned(vs_bind *b) {
   b->drawn_last = b->drawn_away = NULL;
 }
 
-/* Frees the data of one run of a program. */
+/* Frees the data that belong to one run of a program. */
 static void forget_run(vs_bind *b) {
   vs_store *s = b->store;
   forget_returned(b);
@@ -114,7 +114,8 @@ static bool remember(vs_bind *b, vs_ref ref, bool shown) {
   return true;
 }
 
-/* Keeps a top-level value as a part of the model. A list counts only if all its elements are objects. */
+/* Stores the objects in a top-level value as a possible part of the model. A list counts only if all its elements are
+ * objects. */
 bool vs_bind_returned(vs_bind *b, vs_value v, bool shown) {
   if (b->away) return true;
   vs_ref one = vs_bind_take_ref(v);
@@ -131,9 +132,9 @@ bool vs_bind_returned(vs_bind *b, vs_value v, bool shown) {
   return ok;
 }
 
-/* Returns true if the node itself was drawn, or if the node is a union whose children were all drawn: (draw a list)
- * draws the objects of the list and returns their union. If only some children were drawn before, it returns false,
- * which is rarely wrong. */
+/* Returns true if the node itself was drawn, or if it is a union whose children were all drawn: (draw a list) draws the
+ * objects of the list and returns their union. If only some of the children were drawn, returns false, which is rarely
+ * wrong. */
 static bool drawn(const vs_nodemap *all, const vs_node *n) {
   if (vs_nodemap_get(all, n)) return true;
   if (n->kind != VS_UNION) return false;
@@ -147,8 +148,8 @@ bool vs_bind_finish(vs_bind *b) {
   if (!b->drew) return true;
   if (b->away) return false; /* a node other than the root has the focus */
   vs_nodemap all = { .store = b->store };
-  bool known = b->returned_count > 0; /* known: whether the set of drawn nodes could be made; without memory for it,
-                                       * there are no warnings */
+  bool known = b->returned_count > 0; /* known: whether the set of drawn nodes could be computed; when memory for it is
+                                       * out, there are no warnings */
   for (size_t i = 0; known && i < b->scene.drawn_count; i++)
     known = vs_nodemap_put(&all, b->scene.drawn[i].node, NULL) != NULL;
   for (size_t i = 0; known && i < b->returned_count; i++)
@@ -159,7 +160,7 @@ bool vs_bind_finish(vs_bind *b) {
   return false;
 }
 
-/* Returns true if a node is not counted itself, but its children are. Each shared node is counted once and its sum is
+/* Returns true if the children of node n are counted instead of n. Each shared node is counted once, and its count is
  * stored, so that the time is proportional to the number of nodes. */
 
 static bool is_transparent(const vs_node *n) {
@@ -169,8 +170,7 @@ static bool is_transparent(const vs_node *n) {
 static vs_bind_counts count_node(const vs_node *n, const vs_nodemap *known, const vs_bind_counts *sums) {
   vs_bind_counts c = { 0 };
   if (n->class_ == VS_NOTHING) {
-    c.all = n->kind == VS_NATIVE; /* native text without a child counts as an object, although formats other than its
-                                   * own show nothing */
+    c.all = n->kind == VS_NATIVE; /* a node with native text counts as an object, although only one format shows it */
     return c;
   }
   if (!is_transparent(n)) {
@@ -186,7 +186,7 @@ static vs_bind_counts count_node(const vs_node *n, const vs_nodemap *known, cons
   return c;
 }
 
-enum { COUNT_WORK = 200 }; /* estimated time for counting a node in nanoseconds, for vs_store_going */
+enum { COUNT_WORK = 200 }; /* estimated time in nanoseconds for counting a node, for vs_store_going */
 
 bool vs_bind_count(vs_ref ref, vs_bind_counts *out, vs_error *e) {
   vs_store *s = ref.node->store;
@@ -239,7 +239,7 @@ vs_status vs_p_host_set(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* ---- messages of the library in Scheme ---- */
+/* ---- warnings and errors of the library in Scheme ---- */
 
 vs_status vs_p_warn(vs_args *f, vs_value *out) {
   (void)out;
@@ -247,8 +247,7 @@ vs_status vs_p_warn(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* (%reserved name instead): raises the error for the use of a reserved name, for the macros that geometry.scm
- * defines. */
+/* (%reserved name instead): raises the error that `name` is reserved; macros of geometry.scm call it. */
 vs_status vs_p_reserved(vs_args *f, vs_value *out) {
   (void)out;
   return vs_fail_at(f->vm, f->vm->sym.unbound, vs_call_place(f->vm), VS_NIL,

@@ -3,8 +3,8 @@
  *
  * The interpreter reports each object that is the unused value of an expression in a body. If the value is a list, it
  * reports the first object of the list. The result of the last `draw` does not count. The first object at each place is
- * recorded, for at most sixteen places. At the end of the evaluation, recorded objects that are part of the model are
- * removed again, since the program may have stored them in a list. */
+ * recorded, for at most sixteen places. At the end of the evaluation, the objects that are part of the model are
+ * removed from the record, since the program may have stored them in a list. */
 #include "bind/thrown.h"
 
 #include "bind/objects.h"
@@ -45,8 +45,8 @@ void vs_bind_warn_thrown(vs_bind *b, const vs_node *node, const vs_origin *origi
                       "objects, or (draw ...) this object too");
 }
 
-/* Clears left[i] for each recorded object i that is the root or one of its descendants. *count: number of objects that
- * are left. */
+/* Clears left[i] for each recorded object i that is `root` or one of its descendants. *count: number of recorded
+ * objects i with left[i]. */
 static bool look_below(vs_bind *b, vs_nodemap *seen, vs_ref root, bool *left, size_t *count) {
   vs_walk *w = vs_walk_new(b->store, root);
   vs_ref at;
@@ -73,7 +73,7 @@ static bool look_below(vs_bind *b, vs_nodemap *seen, vs_ref root, bool *left, si
 void vs_bind_tell_dropped(vs_bind *b) {
   size_t count = b->dropped_count;
   if (count == 0) return;
-  /* left[i]: whether recorded object i is not part of the model. If memory for the test is out, there are no
+  /* left[i]: whether recorded object i is not part of the model. When memory for the test is out, there are no
    * warnings. */
   bool left[sizeof b->dropped / sizeof *b->dropped], ok = true;
   for (size_t i = 0; i < count; i++) left[i] = true;

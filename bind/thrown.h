@@ -7,8 +7,8 @@
 
 typedef struct vs_bind vs_bind;
 
-void vs_bind_dropped(vs_scheme *vm, vs_value v); /* Records that v is the unused value of an expression in a body;
-                                                  * called by the interpreter (vs_config). */
+void vs_bind_dropped(vs_scheme *vm, vs_value v); /* Records that v, the value of an expression in a body, is not used.
+                                                  * The interpreter calls it (vs_config.dropped). */
 void vs_bind_tell_dropped(vs_bind *b);    /* Warns about the recorded objects that are not part of the model, and
                                            * deletes the record. */
 void vs_bind_forget_dropped(vs_bind *b);

@@ -8,7 +8,7 @@
 #include "bind/origins.h"
 #include "bind/state.h"
 
-/* Returns true if the warning with this key was given before. Returns false if memory for the key is out. */
+/* Returns true if the warning with this key (a hash) was given before. Returns false if memory for the key is out. */
 static bool told(vs_bind *b, uint64_t key) {
   if (!key) key = 1;
   if (2 * b->told_count >= b->told_room) {

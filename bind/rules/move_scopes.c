@@ -8,15 +8,15 @@
 
 #include <string.h>
 
-/* Returns a copy of argument 0 with its path: the operators of this file add no level to a path. If it fails, sets the
- * error and returns NULL. */
+/* Returns a copy of the scope in argument 0 with the same path: the operators of this file add no level to a path. If
+ * it fails, sets the error and returns NULL. */
 static vs_scope *changed(vs_args *f) {
   vs_scope *s = vs_scope_copy(f->arg[0].scope);
   if (!s) vs_fail_memory(f->vm);
   return s;
 }
 
-/* Applies the map m to the shape of the scope s, which has a single reference. Copies its loops first. */
+/* Applies the map m to the shape of the scope s, to which there is only one reference. Copies the loops of s first. */
 static bool moved(vs_scope *s, const vs_affine *m) {
   if (s->class_ == VS_SCOPE_FFD) {
     for (int c = 0; c < 8; c++) s->as.corner[c] = vs_affine_point(m, s->as.corner[c]);
@@ -37,8 +37,7 @@ static bool moved(vs_scope *s, const vs_affine *m) {
   const vs_scope_loops *old = s->loops;
   vs_scope_loops *l = vs_scope_loops_new(s->store, old->points->at, old->start, old->count);
   if (!l) return false;
-  vs_vec3 *at = (vs_vec3 *)(uintptr_t)l->points->at; /* the copied loops belong to no other scope yet, and may be
-                                                      * changed */
+  vs_vec3 *at = (vs_vec3 *)(uintptr_t)l->points->at; /* the copied loops belong only to s, and may be changed */
   for (uint32_t i = 0; i < l->points->count; i++) at[i] = vs_affine_point(m, at[i]);
   vs_scope_loops_release(s->store, s->loops);
   s->loops = l;
@@ -56,8 +55,8 @@ static bool box_again(vs_affine *frame, vs_vec3 *size) {
   }
   for (int i = 0; i < 3; i++)
     if (fabs(vs_v3_dot(c[i], c[(i + 1) % 3])) > 1e-9) return false;
-  if (vs_v3_dot(vs_v3_cross(c[0], c[1]), c[2]) < 0) /* if the map mirrors, x is reversed and begins at the other end of
-                                                     * the box */
+  if (vs_v3_dot(vs_v3_cross(c[0], c[1]), c[2]) < 0) /* if the map mirrors, the direction x is reversed and begins at the
+                                                     * other end of the box */
     at = vs_v3_add(at, vs_v3_scale(c[0], size->x)), c[0] = vs_v3_scale(c[0], -1);
   *frame = vs_affine_columns(c[0], c[1], c[2], at);
   return true;
@@ -84,7 +83,7 @@ vs_scope *vs_scope_placed(const vs_scope *of, const vs_affine *m) {
     return s;
   }
   if (s->class_ != VS_SCOPE_BOX || !(sheared = vs_scope_fresh(s->store, VS_SCOPE_FFD))) return s;
-  /* Copies the corners and the path to a scope of class FFD, a hexahedron. */
+  /* The scope becomes one of class FFD, a hexahedron with the corners of the box. */
   vs_scope_corners(s, sheared->as.corner);
   vs_scope_take_path(sheared, s);
   vs_scope_release(s);
@@ -104,8 +103,8 @@ vs_status vs_p_scope_move(vs_args *f, vs_value *out) {
   return give_moved(f, &m, out);
 }
 
-/* Renames the axes of a hexahedron, which itself does not move, by quarter turns about axis a. Let b and c be the axes
- * after a. For each quarter turn, the new b is the old c, and the new c is the reversed old b. */
+/* Renames the axes of a hexahedron by quarter turns about axis a; the hexahedron itself does not move. Let b and c be
+ * the axes after a. For each quarter turn, the new b is the old c, and the new c is the reversed old b. */
 static vs_status turn_hexahedron(vs_args *f, int a, int quarters, vs_value *out) {
   vs_scope *s = changed(f);
   if (!s) return VS_ERROR;
@@ -137,8 +136,8 @@ vs_status vs_p_scope_turn(vs_args *f, vs_value *out) {
 
 #define SIZED (VS_SCOPE_BIT(BOX) | VS_SCOPE_BIT(TURTLE))
 
-/* Sets *out to the scope with these sizes along x, y and z; -1 keeps a size. The first corner of a box remains fixed;
- * the cross-section of a turtle grows from its middle. */
+/* Sets *out to a copy of the scope with these sizes along x, y and z; -1 keeps a size. The first corner of a box
+ * remains fixed; the cross-section of a turtle grows from its middle. */
 static vs_status give_sized(vs_args *f, vs_vec3 size, vs_value *out) {
   vs_scope *s = changed(f);
   if (!s) return VS_ERROR;

@@ -1,6 +1,6 @@
 /* Places objects in scopes: maps the bounding box of the object to the box of the scope. The object's X becomes the
- * scope's x, its Z (up) the scope's y, and its front, which faces -Y, the outer side of the scope's face. In a root
- * scope, the object therefore keeps its directions. */
+ * scope's x, its Z (up) the scope's y, and its front, which faces -Y, the outer side of the scope's face. In a scope
+ * outside of any rule, the object therefore keeps its directions. */
 #include "bind/rules/place.h"
 
 #include "bind/measures.h"
@@ -9,7 +9,7 @@
 #include "geometry/measure/node_measures.h"
 #include "solids/deformed.h"
 
-/* Computes the bounds of an object. Keeps the bounds of the last object for the next call. */
+/* Sets *b to the bounds of an object. d keeps the bounds of the last object for the next call. */
 static bool bounds_of(vs_derivation *d, vs_ref object, vs_bounds *b) {
   vs_error e = { 0 };
   if (d->fitted == object.node) return *b = d->fitted_bounds, true;
@@ -23,7 +23,7 @@ static bool bounds_of(vs_derivation *d, vs_ref object, vs_bounds *b) {
 /* Returns the factor by which an extent is scaled to a size; 1 if the extent or the size is 0. */
 static double factor(double size, double extent) { return size > 0 && extent > 0 ? size / extent : 1; }
 
-/* Returns the map from the bounds of an object to a box with this frame and size. */
+/* Returns the map from the bounds b of an object to a box with this frame and size. */
 static vs_affine fit(const vs_affine *frame, vs_vec3 size, const vs_bounds *b) {
   vs_vec3 x = vs_v3_scale(vs_affine_column(frame, 0), factor(size.x, b->max.x - b->min.x));
   vs_vec3 y = vs_v3_scale(vs_affine_column(frame, 1), factor(size.y, b->max.z - b->min.z));
@@ -47,7 +47,8 @@ bool vs_rules_place(vs_derivation *d, const vs_scope *s, vs_ref object, const vs
   if (object.node->kind == VS_EMPTY) return true;
   if (!bounds_of(d, object, &b)) return false;
   if (vs_bounds_is_empty(&b)) return true;
-  /* The placed object has the place of the rule as its origin, even after passes have merged the placement into it. */
+  /* The placed object has the place of the rule's call as its origin, even after passes have merged the placement with
+   * the object's own. */
   vs_ref placed = { object.node, origin };
   vs_node *n;
   if (s->class_ == VS_SCOPE_FFD) {

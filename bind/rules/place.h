@@ -4,8 +4,8 @@
 
 #include "bind/rules/derivation.h"
 
-/* Scales the object to the scope's box, or deforms it to the scope's hexahedron. Adds the object, with this origin, to
- * the objects of the derivation. If it fails, sets the error and returns false. */
+/* Scales the object to the box of the scope s, or deforms it to the hexahedron s. Adds the object, with this origin, to
+ * the objects of the derivation d. If it fails, sets the error and returns false. */
 bool vs_rules_place(vs_derivation *d, const vs_scope *s, vs_ref object, const vs_origin *origin);
 
 #endif

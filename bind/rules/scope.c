@@ -154,7 +154,7 @@ void vs_scope_path_text(const vs_scope *s, char *text, size_t room) {
     all++;
     if (n < PATH_LEVELS) level[n++] = p;
   }
-  /* A long path is shown without its beginning: for recursive rules, its end is more useful. */
+  /* A long path is shown without its beginning: in recursive rules, the end is more useful. */
   size_t shown = n < 12 ? n : 12;
   text[0] = 0;
   if (all > shown) at = (size_t)snprintf(text, room, ".../");
@@ -202,7 +202,8 @@ bool vs_scope_add_flags(vs_scope *s, const char *const *names, size_t count) {
   }
   uint32_t room = have + fresh;
   while (f->count < room)
-    f->name[f->count++] = names[0]; /* skips a name that was given twice, so the end of the array remains unused */
+    f->name[f->count++] = names[0]; /* skips a name that is already in the array, so that the array may have unused
+                                     * elements at its end */
   vs_scope_flags_release(s->store, s->flags);
   s->flags = f;
   return true;
@@ -210,8 +211,8 @@ bool vs_scope_add_flags(vs_scope *s, const char *const *names, size_t count) {
 
 /* ---- marks and signals ---- */
 
-/* Returns the extra data of s. If other scopes share them, first replaces them by a copy. The copy has no signals,
- * since they were sent to the original scope. Returns NULL when memory is out. */
+/* Returns the extra data of s. If other scopes refer to the same data, first gives s a copy of its own. The copy has no
+ * signals, since they were sent to the original scope. Returns NULL when memory is out. */
 static vs_scope_extra *own_extra(vs_scope *s) {
   vs_scope_extra *old = s->extra;
   if (old && old->refs == 1) return old;

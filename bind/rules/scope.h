@@ -1,5 +1,6 @@
 /* Declares scopes, the boxes and other shapes to which rules are applied. A scope is immutable and reference-counted.
- * It refers to its parent, so that its path from the root is known.
+ * It refers to its parent, so that its path from the root is known. A root is a scope that no operator has created from
+ * another scope.
  *
  * Frames are right-handed: x along, y up, z out of the face. The y of a root box is the world's +Z, and its z the
  * world's -Y. A root box seen from its front therefore shows its object from the front. The corner with indices i, j, k
@@ -25,7 +26,8 @@ typedef enum {
 } vs_scope_class;
 #define VS_SCOPE_BIT(upper) (1u << VS_SCOPE_##upper)
 
-/* The flags of a scope, sorted by address. Descendants of a scope refer to its flags, unless they set more. */
+/* The flags of a scope, sorted by address. Scopes that are created from it refer to the same flags, unless they set
+ * more. */
 typedef struct {
   uint32_t refs, count;
   const char *name[];
@@ -48,25 +50,25 @@ struct vs_scope_extra {
   uint32_t refs, count;
   size_t room;
   vs_store *store;       /* the store that allocates this block, retained */
-  vs_scope_extra *next;  /* next block in a list of blocks to be freed */
-  const vs_ticket *mark; /* Ticket that counts references to the name and properties of a scope-mark, which are in the
+  vs_scope_extra *next;  /* next block in a list of blocks that must be freed */
+  const vs_ticket *mark; /* Ticket of a scope-mark, which counts the references to the mark's name and properties in the
                           * Scheme heap (rules.scm). NULL: the scope has no mark. */
-  vs_scope **from;       /* the `count` scopes that have sent signals to this scope, in order; retained */
+  vs_scope **from;       /* from: the `count` scopes that have sent signals to this scope, in order; retained */
 };
 
 struct vs_scope {
   uint32_t refs;
   uint8_t class_;
   bool closed;             /* whether a curve scope is closed */
-  bool backed;             /* whether a turtle has already set the back of its next hexahedron */
-  uint32_t depth;          /* number of rules and operators from the root */
-  uint32_t index, count;   /* the scope is child `index` of the `count` scopes that the operator created */
+  bool backed;             /* whether the turtle has already stored the back face of its next hexahedron */
+  uint32_t depth;          /* number of levels of the path: rules and operators since the root */
+  uint32_t index, count;   /* the scope is child number `index` of `count` children that the operator has created */
   uint64_t hash;           /* hash of the path */
   double left, right;      /* outer angles at the two ends of a polygon's side; 0 for other scopes */
   const char *rule;        /* name of the rule that called the operator, or NULL; owned by the store */
-  const char *op;          /* name of the operator that created the scope; NULL for a root */
-  const vs_origin *origin; /* place in the program of the operator's call */
-  vs_scope *parent;        /* scope from which this one was created; NULL for a root */
+  const char *op;          /* name of the operator that created the scope; NULL for a root (a scope without parent) */
+  const vs_origin *origin; /* origin of the operator's call in the program */
+  vs_scope *parent;        /* scope from which the operator created this scope; NULL for a root */
   vs_scope_flags *flags;   /* flags of the scope, or NULL */
   vs_scope_extra *extra;   /* mark and signals, or NULL */
   vs_store *store;
@@ -77,14 +79,13 @@ struct vs_scope {
     struct {
       vs_affine frame;
       vs_vec3 size;
-    } box;             /* frame and size of a box scope; for polygons, triangles and curves those of their bounding
-                        * box */
-    vs_vec3 corner[8]; /* corners of an FFD scope, a hexahedron */
+    } box;             /* BOX: its frame and size; POLYGON, TRIANGLE, CURVE: frame and size of the bounding box */
+    vs_vec3 corner[8]; /* FFD: the corners of the hexahedron */
     struct {
       vs_affine frame;
       double width, height;
       vs_vec3 back[4];
-    } turtle; /* columns of the turtle's frame: left, up, ahead, position */
+    } turtle; /* TURTLE: the columns of its frame are left, up, ahead, position */
   } as;
 };
 
@@ -102,51 +103,53 @@ void vs_scope_release(vs_scope *s); /* Releases a reference, without recursion: 
 /* Returns a new root scope of this class; all other members are 0. Its hash is that of an empty path. Returns NULL when
  * memory is out. */
 vs_scope *vs_scope_fresh(vs_store *store, vs_scope_class c);
-/* Returns a copy of s with the same path. The caller may change it while it has the only reference. Returns NULL when
- * memory is out. */
+/* Returns a copy of s with the same path. The caller may change the copy as long as no one else refers to it. Returns
+ * NULL when memory is out. */
 vs_scope *vs_scope_copy(const vs_scope *s);
 /* Copies the shape of `of` to s, a new scope of the same class: frame, size, corners, object, loops. */
 void vs_scope_become(vs_scope *s, const vs_scope *of);
 /* Copies all members except the shape from `of` to the new scope s, which may be of another class. */
 void vs_scope_take_path(vs_scope *s, const vs_scope *of);
-/* Sets *out to a Scheme object of the scope, whose reference it takes over. s NULL: memory is out. */
+/* Sets *out to a Scheme object of the scope s, whose reference it takes over. If s is NULL, memory was out: sets the
+ * error. */
 vs_status vs_bind_give_scope(vs_scheme *vm, vs_scope *s, vs_value *out);
-/* Sets the hash of a root scope from its place. */
+/* Sets the hash of a root scope from its position. */
 void vs_scope_plant(vs_scope *s, vs_vec3 at);
 uint64_t vs_scope_mix(uint64_t hash, uint64_t more);
 void vs_scope_flags_release(vs_store *store, vs_scope_flags *f); /* Releases a reference to the flags. NULL is
                                                                   * permitted. */
-/* Sets the mark of s, which must have only one reference. Returns false when memory is out. */
+/* Sets the mark of the scope s, to which there must be only one reference. Returns false when memory is out. */
 bool vs_scope_set_mark(vs_scope *s, const vs_ticket *mark);
 /* Adds a signal from scope `from` to s. Returns false when memory is out. */
 bool vs_scope_add_signal(vs_scope *s, vs_scope *from);
-/* Returns true if the flags (NULL: none) contain the name. */
+/* Returns true if the flags contain the name. flags NULL means no flags. */
 bool vs_scope_flags_have(const vs_scope_flags *flags, const char *name /* must be owned by the store */);
 bool vs_scope_has_flag(const vs_scope *s, const char *name /* must be owned by the store */);
-/* Adds these flags to those of s. Returns false when memory is out. */
+/* Adds `count` flags with these names to the flags of s. Returns false when memory is out. */
 bool vs_scope_add_flags(vs_scope *s, const char *const *names, size_t count);
-/* Writes the path of s, such as "facade/split.0/floor/repeat.3", in at most `room` bytes. The beginning of a long path
- * is omitted. */
+/* Writes the path of s, such as "facade/split.0/floor/repeat.3", to `text`, which has `room` bytes. The beginning of a
+ * long path is omitted. */
 void vs_scope_path_text(const vs_scope *s, char *text, size_t room);
 
 /* ---- corners, sizes and frames ---- */
 vs_vec3 vs_scope_corner(const vs_scope *s, int i, int j, int k);
 void vs_scope_corners(const vs_scope *s, vs_vec3 corner[8]);
-/* Returns the sizes of a scope along x, y and z. For a hexahedron they are the mean lengths of its edges. */
+/* Returns the sizes of a scope along x, y and z. Those of a hexahedron are the mean lengths of its edges. */
 vs_vec3 vs_scope_size(const vs_scope *s);
 /* Returns the frame of a scope: its columns are x, y, z and the first corner. The x of a hexahedron is the mean of its
- * edges along x, and its y is nearest its edges along y. */
+ * edges along x; its y is as close as possible to its edges along y. */
 vs_affine vs_scope_frame(const vs_scope *s);
 
-/* Makes s, a new box scope, the edge between two points, without height and depth. Its x lies along the edge. Its y is
- * as near as possible to axis number `up` of the frame. */
+/* Makes s, a new box scope, the edge between two points, without height and depth. Its x is along the edge. Its y is as
+ * close as possible to axis number `up` of the frame. */
 void vs_scope_lay_edge(vs_scope *s, const vs_affine *frame, int up, vs_vec3 from, vs_vec3 to);
 
-/* Returns loops with copies of these points, or NULL when memory is out. */
+/* Returns new loops with copies of the points at `at`, or NULL when memory is out. start[i]: index of the first point
+ * of loop i. */
 vs_scope_loops *vs_scope_loops_new(vs_store *store, const vs_vec3 *at, const uint32_t *start, uint32_t count);
 void vs_scope_loops_release(vs_store *store, vs_scope_loops *l);
-/* Sets the frame and size of a polygon or triangle from its loops: x along the first edge, z along its area vector.
- * Returns false if it has no area. */
+/* Sets the frame and size of a polygon or triangle scope from its loops: x along the first edge, z along the area
+ * vector. Returns false if the loops have no area. */
 bool vs_scope_frame_loops(vs_scope *s);
 
 #endif

@@ -1,8 +1,7 @@
-/* Answers questions of a rule about its surroundings: whether its scope touches the objects created up to now, or lies
- * inside them.
+/* Tests, for rules, whether a scope touches the objects that the derivation has created so far, or lies inside them.
  *
- * A tree contains the bounds of the objects in the order of their creation. The objects of one rule are close together,
- * so that sixteen consecutive objects share a box, sixteen such boxes share a larger box, and so forth. Where bounds
+ * A tree contains the bounds of the objects in the order of their creation. The objects of one rule are close together.
+ * Sixteen consecutive objects therefore have a common box, sixteen such boxes a larger box, and so forth. Where bounds
  * overlap, the test is exact. A scope consists of convex pieces: one for a box, six tetrahedra for a hexahedron, a flat
  * piece for each triangle of a polygon or mesh and for each segment of a curve. A triangle of an object touches the
  * scope if a part of the triangle remains after it is cut by the planes of a piece. A scope that no triangle touches
@@ -36,7 +35,7 @@ struct vs_surroundings {
     vs_node *node;     /* node of the object, retained, or NULL */
     vs_node *resolved; /* the object after its sections and shadows were computed (solids/resolve.h), retained */
     vs_bend_leaves leaves;
-  } kept[KEPT]; /* cache of objects with their triangles, by the address of the node */
+  } kept[KEPT]; /* cache of objects with their triangles, indexed by the node's address */
 };
 
 static void drop_one(vs_surroundings *a, size_t i) {
@@ -73,10 +72,11 @@ static vs_surroundings *surroundings_of(vs_derivation *d) {
 typedef struct {
   vs_vec3 normal;
   double at;
-} half_space; /* points p with normal · p <= at; the normal has unit length */
+} half_space; /* contains the points p with normal · p <= at; the normal has unit length */
 typedef struct {
   half_space side[6];
-  int count, paired; /* count: number of sides; the first `paired` sides are pairs with opposite normals */
+  int count, paired; /* count: number of half-spaces (sides) of the piece; the first `paired` sides are pairs with
+                      * opposite normals */
   vs_vec3 triangle[3]; /* corners of the triangle, if the piece is flat */
 } piece;
 typedef struct {
@@ -86,7 +86,7 @@ typedef struct {
   vs_vec3 point;     /* a point in the scope */
   double slack;      /* distances below this length count as 0 */
   piece own[6];
-  piece *flat; /* flat pieces of a polygon, curve or mesh, used instead of the pieces in `own`; owned by the store */
+  piece *flat; /* flat pieces of a polygon, curve or mesh, which replace the pieces in `own`; owned by the store */
   size_t count, room;
   vs_node *solid; /* a closed mesh, whose inside belongs to the scope, or NULL */
 } body;
@@ -100,7 +100,7 @@ static half_space half_space_of(vs_vec3 normal, vs_vec3 at) {
   return (half_space){ normal, vs_v3_dot(normal, at) };
 }
 
-/* Adds the box of the scope's frame, which may have no size along an axis. */
+/* Adds a piece for the box of the scope's frame, which may have size 0 along an axis. */
 static void box_piece(body *b, const vs_scope *s) {
   vs_affine m = vs_scope_frame(s);
   piece *p = &b->own[b->count++];
@@ -114,7 +114,8 @@ static void box_piece(body *b, const vs_scope *s) {
   }
 }
 
-/* Adds the six tetrahedra of a hexahedron that share the diagonal from corner 0 to corner 7. Omits flat ones. */
+/* Adds pieces for a hexahedron: the six tetrahedra that have the diagonal from corner 0 to corner 7 in common. Omits
+ * flat tetrahedra. */
 static void tetrahedra(body *b) {
   static const int way[6][2] = { { 1, 3 }, { 1, 5 }, { 2, 3 }, { 2, 6 }, { 4, 5 }, { 4, 6 } };
   for (int t = 0; t < 6; t++) {
@@ -142,7 +143,7 @@ static bool add_flat(body *b, const vs_vec3 t[3]) {
   piece *p = &b->flat[b->count++];
   *p = (piece){ .triangle = { t[0], t[1], t[2] } };
   vs_vec3 ux = vs_v3_unit(x);
-  if (line) { /* a segment has two pairs of planes parallel to it, and a pair across its ends */
+  if (line) { /* a segment has two pairs of sides parallel to it, and a pair across its ends */
     vs_vec3 away = fabs(ux.x) < .6 ? vs_v3(1, 0, 0) : vs_v3(0, 1, 0), uy = vs_v3_unit(vs_v3_cross(ux, away));
     vs_vec3 uz = vs_v3_cross(ux, uy), end = vs_v3_length(vs_v3_sub(t[1], t[0])) > 0 ? t[1] : t[2];
     const vs_vec3 across[2] = { uy, uz };
@@ -202,8 +203,8 @@ static bool curve_pieces(body *b, const vs_scope *s) {
   return ok;
 }
 
-/* Adds pieces for the faces of the object of a mesh or surface scope. If it fails, returns false, and sets *set if the
- * VM's error is set. */
+/* Adds pieces for the faces of the object of a mesh or surface scope. If it fails, returns false, and sets *set to true
+ * if the VM's error is set. */
 static bool object_pieces(vs_bind *bind, body *b, const vs_scope *s, bool *set) {
   vs_bend_leaves leaves;
   vs_ref object = { vs_node_retain(s->object.node), s->object.origin };
@@ -222,7 +223,7 @@ static bool object_pieces(vs_bind *bind, body *b, const vs_scope *s, bool *set) 
   return ok;
 }
 
-/* Computes the pieces of a scope; the caller frees them. If it fails, sets the error and returns false. */
+/* Sets *b to the pieces of a scope; the caller frees them. If it fails, sets the error and returns false. */
 static bool body_of(vs_bind *bind, const vs_scope *s, body *b) {
   *b = (body){ .store = bind->store, .bounds = vs_bounds_empty() };
   vs_scope_corners(s, b->corner);
@@ -240,8 +241,8 @@ static bool body_of(vs_bind *bind, const vs_scope *s, body *b) {
   return ok || set ? ok : vs_fail_memory(bind->vm);
 }
 
-/* Returns true if a part of the triangle lies in the piece. The sides of the piece are first moved outwards by slack,
- * or inwards if it is negative; pairs of sides that are too close are not moved inwards. */
+/* Returns true if a part of the triangle lies in the piece. The sides of the piece are first moved outwards by slack
+ * (inwards if slack is negative). Pairs of sides that are too close to each other are not moved inwards. */
 static bool triangle_meets(const piece *p, const vs_vec3 triangle[3], double slack) {
   vs_vec3 corner[2][16];
   size_t n = 3;
@@ -297,14 +298,14 @@ static bool surfaces_touch(const body *a, const body *b) {
   return false;
 }
 
-/* Sets *in if the point lies inside the closed mesh of b. If it fails, sets the error and returns false. */
+/* Sets *in to true if the point p lies inside the closed mesh of b. If it fails, sets the error and returns false. */
 static bool solid_holds(vs_bind *bind, const body *b, vs_vec3 p, bool *in) {
   vs_error e = { 0 };
   if (!b->solid || vs_inside_cached(&bind->inside, b->solid, p, in, &e)) return true;
   return e.kind == VS_ERROR_INTERRUPT ? false : vs_fail(bind->vm, bind->vm->sym.error, "%s", e.message);
 }
 
-/* Sets *touch to whether the scopes a and b have a common point. If it fails, sets the error and returns false. */
+/* Sets *touch to true if the scopes a and b have a common point. If it fails, sets the error and returns false. */
 static bool bodies_touch(vs_bind *bind, const body *a, const body *b, bool *touch) {
   *touch = surfaces_touch(a, b);
   if (*touch || !vs_bounds_overlap(&a->bounds, &b->bounds, fmax(a->slack, b->slack))) return true;
@@ -336,8 +337,8 @@ static const vs_bend_leaves *taken_apart(vs_surroundings *a, vs_ref object, vs_n
   return &a->kept[i].leaves;
 }
 
-/* Returns true if a triangle of the part, or a segment of its curve, touches b, whose sides are moved outwards by
- * slack. */
+/* Returns true if a triangle of the object's part l, or a segment of its curve, touches the scope b. The sides of b are
+ * first moved outwards by slack. */
 static bool leaf_meets(const vs_bend_leaf *l, const vs_affine *map, const body *b, double slack) {
   const vs_mesh *m = &l->mesh;
   size_t count = !l->curve ? m->triangle_count : m->vertex_count - (l->closed ? 0 : m->vertex_count > 0);
@@ -375,7 +376,7 @@ static bool holds(question *q, const vs_node *n, vs_vec3 p) {
   return in;
 }
 
-/* Returns true if the object contains all the points. Each point is first moved a little towards their mean, since a
+/* Returns true if the object n contains all the points. Each point is first moved a little towards their mean, since a
  * scope may lie on the object's faces. */
 static bool holds_all(question *q, const vs_node *n, const vs_affine *back, const vs_vec3 *at, int count) {
   vs_vec3 middle = vs_v3(0, 0, 0);
@@ -388,7 +389,7 @@ static bool holds_all(question *q, const vs_node *n, const vs_affine *back, cons
   return all;
 }
 
-/* Returns true if, as the rule asks, the scope lies inside this object, or touches it. */
+/* Returns true if the answer is yes for this object: the scope lies inside it, or touches it, as q->inside says. */
 static bool answers(question *q, vs_surroundings *a, vs_ref object) {
   vs_affine map = vs_affine_identity();
   vs_ref base = object;
@@ -420,7 +421,7 @@ static bool answers(question *q, vs_surroundings *a, vs_ref object) {
 
 /* ---- tests with all objects ---- */
 
-/* Adds the objects created since the last question to the tree of bounds. */
+/* Adds the objects that were created since the previous question to the tree of bounds. */
 static bool catch_up(vs_derivation *d, vs_surroundings *a) {
   vs_error e = { 0 };
   for (size_t i = a->level[0].count; i < d->made_count; i++) {
@@ -464,8 +465,8 @@ static bool any_answers(question *q, vs_derivation *d) {
   return false;
 }
 
-/* Returns true if the scope touches a scope that waits for signals. The waiting scope counts as an object, since it
- * will create objects there. */
+/* Returns true if the scope touches a scope that waits for signals. Such a scope counts as an object, since it will
+ * create objects at its place. */
 static bool any_waits(question *q, const vs_derivation *d) {
   bool touch = false;
   for (size_t i = 0; i < d->waiting_count && !q->inside && !touch && !q->failed; i++) {
@@ -500,8 +501,8 @@ static vs_status ask(vs_args *f, bool inside, vs_value *out) {
 vs_status vs_p_scope_touches(vs_args *f, vs_value *out) { return ask(f, false, out); }
 vs_status vs_p_scope_is_inside(vs_args *f, vs_value *out) { return ask(f, true, out); }
 
-/* (scope-overlap s other): returns #f, or two points in the coordinates of s: the corners of the intersection of s's
- * box with the bounds of `other` along the axes of s. */
+/* (scope-overlap s other): returns #f, or two points in the coordinates of s. They are opposite corners of a box: the
+ * intersection of the box of s with the bounds of `other` along the axes of s. */
 vs_status vs_p_scope_overlap(vs_args *f, vs_value *out) {
   vs_affine frame = vs_scope_frame(f->arg[0].scope), back;
   vs_vec3 size = vs_scope_size(f->arg[0].scope), corner[8];
@@ -522,9 +523,9 @@ vs_status vs_p_scope_overlap(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* (scope-detail s #:width): returns the length of the scope's diagonal in pixels, as if seen at the scope's nearest
- * point, in a picture of this width by the drawing's camera. Returns +inf if the camera is in the scope, or there is no
- * camera. */
+/* (scope-detail s #:width): returns how long the scope's diagonal is in pixels, in a picture of this width by the
+ * drawing's camera. The diagonal is taken to be at the scope's nearest point. Returns +inf if the camera is in the
+ * scope, or if there is no camera. */
 vs_status vs_p_scope_detail(vs_args *f, vs_value *out) {
   const vs_scene *scene = &f->bind->scene;
   vs_vec3 corner[8], middle = { 0, 0, 0 };

@@ -1,7 +1,7 @@
 /* Implements the turtle: a moving frame with a cross-section, which creates the hexahedra between two cross-sections.
  *
- * The columns of the frame are left (x), up (y) and ahead (z). A yaw rotates to the left, a pitch upwards, and a roll
- * to the right about the direction ahead, as an aircraft banks. */
+ * The columns of the turtle's frame are left (x), up (y) and ahead (z). A yaw rotates to the left, a pitch upwards, and
+ * a roll to the right about the direction ahead, as an aircraft banks. */
 #include "bind/call/positional.h"
 #include "bind/rules/derivation.h"
 
@@ -24,7 +24,7 @@ vs_status vs_p_turtle_forward(vs_args *f, vs_value *out) {
   return vs_bind_give_scope(vs_call_vm(f), s, out);
 }
 
-/* Rotates the turtle about one of its own axes, through its position. */
+/* Rotates the turtle about an axis of its frame, through its position. */
 static vs_status turned(vs_args *f, int axis, double angle, vs_value *out) {
   vs_scope *s = changed(f);
   if (!s) return VS_ERROR;
@@ -50,8 +50,8 @@ vs_status vs_p_turtle_height(vs_args *f, vs_value *out) {
   return vs_bind_give_scope(vs_call_vm(f), s, out);
 }
 
-/* Rotates the direction ahead towards the vector (tropism). The angle of this rotation is the strength times the angle
- * between them. */
+/* Rotates the direction ahead towards the vector in the argument (tropism). The angle is the strength times the angle
+ * between the two directions. */
 vs_status vs_p_turtle_toward(vs_args *f, vs_value *out) {
   vs_scope *s = changed(f);
   if (!s) return VS_ERROR;
@@ -65,7 +65,7 @@ vs_status vs_p_turtle_toward(vs_args *f, vs_value *out) {
   return vs_bind_give_scope(vs_call_vm(f), s, out);
 }
 
-/* Makes the current cross-section the back of the next hexahedron. */
+/* Makes the current cross-section the back face of the next hexahedron. */
 vs_status vs_p_turtle_back(vs_args *f, vs_value *out) {
   vs_scope *s = changed(f);
   if (!s) return VS_ERROR;
@@ -74,7 +74,7 @@ vs_status vs_p_turtle_back(vs_args *f, vs_value *out) {
   return vs_bind_give_scope(vs_call_vm(f), s, out);
 }
 
-/* Makes the current cross-section the front of a hexahedron, and applies the rule to it. */
+/* Makes the current cross-section the front face of a hexahedron, and applies the rule to this hexahedron. */
 vs_status vs_p_turtle_front(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   VS_ROOTS(vm, r, 2);

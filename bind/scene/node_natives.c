@@ -1,7 +1,8 @@
-/* Implements the natives of the scene: matrices, rays, and the drawings of nodes.
+/* Implements the natives of the scene: matrices, rays, and the drawings of scene nodes.
  *
- * At any time there is one drawing, to which `draw` adds. When another node gets the focus, drawing_swap returns the
- * objects of the old node's drawing as a list, and replaces them by the objects of the new node. */
+ * There is one current drawing, to which `draw` adds: that of the node with the focus. When another node gets the
+ * focus, drawing_swap returns the objects of the old node's drawing as a list, and replaces them by the objects of the
+ * new node. */
 #include "bind/scene/node_natives.h"
 
 #include <math.h>
@@ -60,9 +61,9 @@ static vs_status node_matrix(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return give_matrix(vm, &m, out);
 }
 
-/* Inverts node_matrix: returns the list (translate rotate scale) from which node_matrix computes the given matrix.
- * Returns #f if the columns of the matrix are not perpendicular, or a column is 0. If the matrix mirrors, the scale
- * along X is negative. */
+/* Inverts node_matrix: returns the list (translate rotate scale) from which node_matrix computes this matrix. Returns
+ * #f if the columns of the matrix are not perpendicular, or a column is 0. If the matrix mirrors, the scale along X is
+ * negative. */
 static vs_status matrix_parts(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   vs_affine m = vs_bind_take_matrix(vs_as_flat(a[0])->at);
@@ -89,7 +90,7 @@ static vs_status matrix_parts(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   return VS_OK;
 }
 
-/* (matrix point): returns the point mapped by the matrix. */
+/* (matrix point): returns the image of the point under the matrix. */
 static vs_status matrix_point(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   vs_affine m = vs_bind_take_matrix(vs_as_flat(a[0])->at);
@@ -102,14 +103,14 @@ static vs_status matrix_point(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
 /* ---- rays that pick objects ---- */
 
 static vs_status fail_ray(vs_scheme *vm, const vs_error *e) {
-  if (e->kind == VS_ERROR_INTERRUPT) return VS_ERROR; /* the error is already set */
+  if (e->kind == VS_ERROR_INTERRUPT) return VS_ERROR; /* vm->condition is already set */
   if (e->kind == VS_ERROR_MEMORY) return vs_fail_memory(vm);
   return vs_fail(vm, vm->sym.error, "%s", *e->message ? e->message : "the ray's hits cannot be computed");
 }
 
-/* (object matrix from direction): intersects a ray with the object, placed by the matrix. Returns #f if the ray does
- * not hit the object. Otherwise returns (distance . #f), or (distance file line column) if the object's origin is
- * known. The distance is a multiple of the length of direction. */
+/* (object matrix from direction): intersects a ray with the object, placed by the matrix. Returns #f if the ray misses
+ * the object. Otherwise returns (distance file line column) for the nearest intersection, or (distance . #f) if the
+ * object's origin is unknown. The distance is a multiple of the length of `direction`. */
 static vs_status ray_meets(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   vs_affine m = vs_bind_take_matrix(vs_as_flat(a[1])->at), back;
@@ -117,8 +118,8 @@ static vs_status ray_meets(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_ray_hit hit;
   vs_error e = { 0 };
   *out = VS_FALSE;
-  if (!vs_affine_invert(&m, &back)) return VS_OK; /* a matrix that cannot be inverted makes the object flat: no ray hits
-                                                   * it */
+  if (!vs_affine_invert(&m, &back)) return VS_OK; /* a matrix that cannot be inverted flattens the object, so that no
+                                                   * ray intersects it */
   vs_vec3 from = vs_affine_point(&back, vs_v3(p[0], p[1], p[2]));
   vs_vec3 direction = vs_affine_vector(&back, vs_v3(d[0], d[1], d[2]));
   if (!vs_ray_meets(vm, vs_bind_take_ref(a[0]), from, direction, &hit, &e)) return fail_ray(vm, &e);
@@ -143,8 +144,8 @@ static vs_status drawing_list(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
 }
 
 /* Called before the drawing of the root node is replaced. An object counts as used if the program has drawn the object
- * itself, or all its parts. Marks these objects among the top-level values, so that no warning about unused objects
- * follows. When memory is out, marks none. */
+ * itself, or all its parts. Marks these objects among the top-level values, so that vs does not warn that they are
+ * unused. When memory is out, marks none. */
 static void was_shown(vs_bind *b) {
   if (b->returned_count == 0 || b->scene.drawn_count == 0) return;
   vs_nodemap all = { .store = b->store };
@@ -153,7 +154,7 @@ static void was_shown(vs_bind *b) {
     known = vs_nodemap_put(&all, b->scene.drawn[i].node, NULL) != NULL;
   for (size_t i = 0; known && i < b->returned_count; i++) {
     const vs_node *n = b->returned[i].node;
-    bool parts = n->kind == VS_UNION; /* parts: true for a union, because (draw a list) draws the parts and returns
+    bool parts = n->kind == VS_UNION; /* parts: whether n is a union, because (draw a list) draws the parts and returns
                                        * their union */
     for (uint32_t k = 0; parts && k < n->child_count; k++) parts = vs_nodemap_get(&all, n->children[k].node) != NULL;
     if (parts || vs_nodemap_get(&all, n)) b->returned[i].shown = true;
@@ -161,16 +162,16 @@ static void was_shown(vs_bind *b) {
   vs_nodemap_free(&all);
 }
 
-/* (objects away): replaces the drawing by a list of objects, and returns the old drawing. away: whether the new drawing
- * belongs to a node other than the root. */
+/* (objects away): replaces the current drawing by a list of objects, and returns the old drawing. away: whether the new
+ * drawing belongs to a node other than the root. */
 static vs_status drawing_swap(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_bind *b = vs_bind_of(vm);
   VS_ROOTS(vm, r, 1);
   if (!drawing_list(vm, a, n, &r[0])) return VS_ERROR;
   size_t before = b->scene.drawn_count, kept = 0;
   if (!b->away && a[1] == VS_FALSE) was_shown(b);
-  for (vs_value l = a[0]; vs_is_pair(l); l = vs_cdr(l)) /* adds the new objects after the old objects, so that the old
-                                                         * objects remain if this fails */
+  for (vs_value l = a[0]; vs_is_pair(l); l = vs_cdr(l)) /* adds the new objects after the old ones, so that the old ones
+                                                         * remain if adding fails */
     if (!vs_scene_draw(&b->scene, vs_bind_take_ref(vs_car(l)))) {
       while (b->scene.drawn_count > before) vs_node_release(b->scene.drawn[--b->scene.drawn_count].node);
       return vs_fail_memory(vm);
@@ -182,7 +183,8 @@ static vs_status drawing_swap(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   if (b->drawn_last) b->drawn_away = b->drawn_last;
   b->drawn_last = NULL;
   b->away = a[1] != VS_FALSE;
-  b->drew = b->drew || (!b->away && kept > 0); /* node-setdrawing can set the root's drawing without a call of draw */
+  b->drew = b->drew || (!b->away && kept > 0); /* node-setdrawing can set the root node's drawing without a call of
+                                                * draw */
   *out = r[0];
   return VS_OK;
 }
@@ -194,7 +196,7 @@ static vs_status new_program(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return vs_program_new(vm, out);
 }
 
-/* (environment name): returns whether the program itself has defined the name. */
+/* (environment name): returns #t if the program itself, and not the library, has defined the name. */
 static vs_status program_defines(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)vm, (void)n;
   vs_meaning m = vs_environment_find(a[0], a[1]);
@@ -219,15 +221,15 @@ bool vs_nodes_are_there(const vs_bind *b) {
   return vs_is_vector(host) && vs_as_vector(host)->at[HOST_SCENE] != VS_FALSE;
 }
 
-/* Calls an accessor of nodes.scm on v without the interpreter's run loop. Returns false if v is no record of the
- * accessor's type. */
+/* Reads a field of v by an accessor of nodes.scm, without starting the interpreter's run loop. Returns false if v is no
+ * record of the accessor's type. */
 static bool read_field(vs_scheme *vm, const char *accessor, vs_value v, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   if (!vs_intern_c(vm, accessor, &r[0])) return false;
   r[0] = vs_environment_value(vm->at.core, r[0]);
   int64_t fuel = vm->fuel;
-  vm->fuel = 2; /* the number of steps that suffices for a call from outside of the run loop */
-  vs_value arguments[2] = { v, VS_UNSPECIFIC }; /* the second argument is for a modifier, and is unused here */
+  vm->fuel = 2; /* fuel for one call outside of the run loop */
+  vs_value arguments[2] = { v, VS_UNSPECIFIC }; /* the second argument is used only by a modifier */
   bool ok = vs_is(r[0], VS_T_CLOSURE) && vs_record_call(vm, r[0], arguments, 1, out);
   vm->fuel = fuel;
   return ok;
@@ -236,7 +238,7 @@ static bool read_field(vs_scheme *vm, const char *accessor, vs_value v, vs_value
 bool vs_node_read(vs_scheme *vm, vs_value v, vs_node_part part, vs_value *out) {
   static const char *const accessors[] = { [VS_NODE_NAME] = "%node-name", [VS_NODE_PARENT] = "%node-parent",
                                            [VS_NODE_CHILDREN] = "%node-children" };
-  VS_ROOTS(vm, r, 3); /* roots of the garbage collector: the part, the list, a child */
+  VS_ROOTS(vm, r, 3); /* roots of the garbage collector: the value of the part, the list, a child */
   vs_value of;
   *out = VS_FALSE;
   if (!read_field(vm, accessors[part], v, &r[0])) return false;

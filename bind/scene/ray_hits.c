@@ -1,8 +1,8 @@
-/* Computes where a ray hits an object.
+/* Computes the nearest intersection of a ray with an object.
  *
  * If the ray misses the object's bounds, no mesh is computed. Otherwise, all solids are combined to one mesh whose
- * triangles have origins, and surfaces are converted to triangles one by one. The nearest triangle on the ray is the
- * hit. */
+ * triangles have origins, and surfaces are converted to triangles one by one. The result is the intersection with the
+ * nearest triangle on the ray. */
 #include "bind/scene/ray_hits.h"
 
 #include <math.h>
@@ -16,7 +16,7 @@
 #include "solids/resolve.h"
 #include "solids/solid_meshes.h"
 
-/* A ray, by its start and direction. */
+/* A ray: start and direction, which need not have unit length. */
 typedef struct { vs_vec3 from, direction; } ray;
 
 static size_t meets_mesh(const vs_mesh *m, const ray *r, double *at) {

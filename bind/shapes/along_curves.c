@@ -1,4 +1,4 @@
-/* Implements questions about points along a curve, and pipes along curves. */
+/* Implements procedures that return points along a curve, and pipes along curves. */
 #include "bind/shapes/along_curves.h"
 
 #include <stdio.h>
@@ -33,8 +33,8 @@ vs_status vs_bind_stations(vs_args *f, int i, vs_stations *out) {
   return vs_stations_open(curve, &facets, out, &e) ? VS_OK : vs_bind_error(vm, &e);
 }
 
-/* Computes the point and frame (station) at the distance in argument 1. On a closed curve, the distance may exceed its
- * length. */
+/* Sets *out to the station (point and frame) of the curve in argument 0 at the distance in argument 1. On a closed
+ * curve, the distance may exceed the curve's length. */
 static vs_status station(vs_args *f, vs_station *out) {
   vs_stations s;
   double at = vs_arg_real(f, 1);
@@ -75,7 +75,7 @@ vs_status vs_p_curve_frame(vs_args *f, vs_value *out) {
   return vs_bind_give_matrix(f, &m, out);
 }
 
-/* (curve-division c n): returns n + 1 points at equal distances along the curve. */
+/* (curve-division c n): returns n + 1 points at equal distances along the curve, both ends included. */
 vs_status vs_p_curve_division(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   enum { MOST = 1000000 };
@@ -86,7 +86,7 @@ vs_status vs_p_curve_division(vs_args *f, vs_value *out) {
   if (!vs_bind_stations(f, 0, &s)) return VS_ERROR;
   bool ok = true;
   r[1] = VS_NIL;
-  for (int64_t i = n; ok && i >= 0; i--) { /* the end of a closed curve is exactly its start */
+  for (int64_t i = n; ok && i >= 0; i--) { /* the last point of a closed curve is exactly its start */
     vs_station at = vs_station_at(&s, s.path.closed && i == n ? 0 : s.length * (double)i / (double)n);
     ok = vs_bind_give_point(f, at.at, &r[0]) && vs_cons(vm, r[0], r[1], &r[1]) && vs_poll(vm, 64);
   }
@@ -95,7 +95,7 @@ vs_status vs_p_curve_division(vs_args *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* ---- curve walks: curves that are sampled once and asked often ---- */
+/* ---- curve walks: curves that are sampled once and evaluated many times ---- */
 
 static void walk_free(void *p) {
   vs_stations_close(p);
@@ -103,7 +103,7 @@ static void walk_free(void *p) {
 }
 static const vs_foreign_type walk_type = { .name = "a curve's places", .release = walk_free };
 
-/* (%curve-walk c): returns the sampled curve. */
+/* (%curve-walk c): returns a curve walk, the sampled curve. */
 vs_status vs_p_curve_walk(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   vs_stations *s = NULL;
@@ -113,9 +113,9 @@ vs_status vs_p_curve_walk(vs_args *f, vs_value *out) {
   return vs_make_foreign(vm, &walk_type, s, 0, out);
 }
 
-/* Returns the station (point and frame) at the fraction arg[1] of the length of curve walk arg[0]. Sets *along to the
- * distance by which the point lies beyond an end of an open curve: negative before the start, 0 on the curve. On a
- * closed curve, fractions beyond 1 continue at the start. */
+/* Returns the station (point and frame) of curve walk arg[0] at the fraction arg[1] of its length. *along becomes the
+ * distance by which the point is beyond an end of an open curve: negative before the start, 0 on the curve. On a closed
+ * curve, fractions beyond 1 continue at the start. */
 static vs_station walk_station(const vs_args *f, double *along) {
   const vs_stations *w = vs_foreign_get(vs_arg_value(f, 0), &walk_type);
   double share = vs_arg_real(f, 1);
@@ -125,23 +125,23 @@ static vs_station walk_station(const vs_args *f, double *along) {
   return vs_station_at(w, within * w->length);
 }
 
-/* Sets *out to the point at distance arg[2] along x, arg[3] along y and `along` along the tangent from the station
- * s. */
+/* Sets *out to a point near the station s: at distance arg[2] along x, arg[3] along y and `along` along the tangent. */
 static vs_status walk_point(vs_args *f, const vs_station *s, vs_vec3 x, vs_vec3 y, double along, vs_value *out) {
   vs_vec3 across = vs_v3_add(vs_v3_scale(x, vs_arg_real(f, 2)), vs_v3_scale(y, vs_arg_real(f, 3)));
   return vs_bind_give_point(f, vs_v3_add(vs_v3_add(s->at, vs_v3_scale(s->tangent, along)), across), out);
 }
 
-/* (%walk-place walk s x y): returns the point at distances x and y across the curve, at the fraction s of its length.
- * Beyond the ends of an open curve, follows the tangents. */
+/* (%walk-place walk s x y): returns the point at the fraction s of the curve's length, moved by x and y across the
+ * curve. Beyond the ends of an open curve, follows the tangents. */
 vs_status vs_p_walk_place(vs_args *f, vs_value *out) {
   double along;
   vs_station s = walk_station(f, &along);
   return walk_point(f, &s, s.across, vs_v3_cross(s.tangent, s.across), along, out);
 }
 
-/* (%walk-upright walk s x y up): like %walk-place, but y is perpendicular to the curve and nearest `up`, and x points
- * to the left of the direction of travel. Returns #f if the curve is parallel to `up`. */
+/* (%walk-upright walk s x y up): like %walk-place, but the direction y is perpendicular to the curve and as close as
+ * possible to `up`, and x points to the left of the direction of travel. Returns #f if the curve is parallel to
+ * `up`. */
 vs_status vs_p_walk_upright(vs_args *f, vs_value *out) {
   double along;
   vs_station s = walk_station(f, &along);
@@ -166,7 +166,8 @@ static bool pipe_open(vs_args *f, vs_pipe *p, vs_error *e) {
   return vs_pipe_open(curve, segments ? segments : RINGS, tolerance, p, e);
 }
 
-/* (%pipe-places c segments): returns the places of a pipe's rings, as fractions of the length from 0 to 1. */
+/* (%pipe-places c segments): returns the places of a pipe's rings along the curve, as fractions of its length from 0 to
+ * 1. */
 vs_status vs_p_pipe_places(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   vs_error e = { 0 };
@@ -182,8 +183,8 @@ vs_status vs_p_pipe_places(vs_args *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* (%make-pipe c segments radii): creates a pipe. `radii` has the radius of each ring, at the places that %pipe-places
- * returns. */
+/* (%make-pipe c segments radii): creates a pipe along the curve. `radii` has the radius of each ring, at the places
+ * that %pipe-places returns. */
 vs_status vs_p_make_pipe(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   vs_error e = { 0 };

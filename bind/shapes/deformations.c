@@ -22,8 +22,8 @@ enum { ROUNDS = 14, PART_OF_SIZE = 8 };
 typedef struct {
   vs_bind *bind;
   vs_bend_leaves leaves;
-  vs_bending **at;  /* deformation of each leaf (part) of the object */
-  size_t room, now; /* now: index of the leaf that is being deformed */
+  vs_bending **at;  /* at[i]: the deformation of leaf (part) i of the object */
+  size_t room, now; /* room: length of the array; now: index of the leaf that is being deformed */
 } deformation;
 
 static void deformation_free(void *p) {
@@ -58,7 +58,7 @@ vs_status vs_p_deform(vs_args *f, vs_value *out) {
   return vs_make_foreign(vm, &deformation_type, d, 0, out);
 }
 
-/* (%deform-wanted d): returns a list of points whose images are needed next, or () at the end. */
+/* (%deform-wanted d): returns a list of points that the map is to be applied to next, or () at the end. */
 vs_status vs_p_deform_wanted(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   deformation *d = given(f);
@@ -75,15 +75,15 @@ vs_status vs_p_deform_wanted(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* (%deform-give d images): stores the images of the points that %deform-wanted returned last. */
+/* (%deform-give d images): stores the images, under the map, of the points that %deform-wanted returned last. */
 vs_status vs_p_deform_give(vs_args *f, vs_value *out) {
   deformation *d = given(f);
   (void)out;
   return vs_bending_give(d->at[d->now], vs_arg_points(f, 1).at) ? VS_OK : vs_fail_memory(vs_call_vm(f));
 }
 
-/* (%deform-by-tape d t): computes all images by a tape with three inputs and outputs. Returns #t, or a point where the
- * tape has no value. */
+/* (%deform-by-tape d t): computes all images by a tape (compiled expression) with three inputs and outputs. Returns #t,
+ * or a point where the tape has no value. */
 vs_status vs_p_deform_by_tape(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   deformation *d = given(f);

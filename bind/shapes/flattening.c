@@ -1,5 +1,5 @@
-/* Implements the natives of unroll and unfold, which flattening.scm calls with checked arguments: meshes laid flat, as
- * regions and lists of points. */
+/* Implements the natives of unroll and unfold, which flattening.scm calls with checked arguments. They flatten meshes,
+ * and return regions and lists of points. */
 
 #include <math.h>
 #include <stdlib.h>
@@ -22,17 +22,18 @@
 #include "geometry/tessellate.h"
 #include "model/store/array.h"
 
-/* A net while it is made: a mesh laid flat, in pieces. Also the data of a walk along the borders of a piece. */
+/* Data for flattening a mesh: its net (the mesh laid into the plane, in pieces), and data of a walk along the borders
+ * of a piece. */
 typedef struct {
   vs_args *f;
   vs_mesh mesh;
   vs_flat_net net;
-  const vs_glue_tab **tab; /* tab[e]: the tab at cut edge e, or NULL if the edge has no tab; tab is NULL if there are no
-                            * tabs */
-  vs_polyline loop;        /* the loop that is being walked */
+  const vs_glue_tab **tab; /* tab[e]: the tab for glue at cut edge e, or NULL if the edge has no tab; `tab` is NULL if
+                            * there are no tabs */
+  vs_polyline loop;        /* the border loop that is being walked */
   vs_outline outline;      /* the completed loops of the piece */
   size_t room;
-  vs_vec2 (*chain)[2];     /* the border edges of the piece, by their end points */
+  vs_vec2 (*chain)[2];     /* the border edges of the piece, each by its two end points */
   size_t chain_count, chain_room;
   double shift;            /* distance by which the piece is moved along +X */
 } sheet;
@@ -60,7 +61,7 @@ static bool add_border(void *context, uint32_t t, uint32_t e, const vs_vec2 ends
   return true;
 }
 
-/* Ends a loop: adds its edges to the chain, and removes corners on a straight line between their neighbours. */
+/* Ends a border loop: adds its edges to the chain, and removes corners on a straight line between their neighbours. */
 static bool end_loop(void *context) {
   sheet *s = context;
   vs_polyline *p = &s->loop;
@@ -84,7 +85,7 @@ static bool end_loop(void *context) {
   return true;
 }
 
-/* Computes the triangles of argument 0 as finely as `area` does, and their net. */
+/* Computes the triangles of argument 0, as fine as those for its area, and their net. */
 static bool begin(sheet *s, vs_args *f) {
   vs_scheme *vm = vs_call_vm(f);
   vs_error e = { 0 };
@@ -111,7 +112,7 @@ static bool begin(sheet *s, vs_args *f) {
                  : vs_fail_memory(vm);
 }
 
-/* Moves the piece to the right of the position `from`, and returns the position of its right side. */
+/* Sets the shift of the piece so that it begins at x = `from`, and returns the x of its right side. */
 static double beside(sheet *s, uint32_t piece, double from) {
   double low = INFINITY, high = -INFINITY;
   for (uint32_t t = 0; t < s->mesh.triangle_count; t++)
@@ -162,8 +163,8 @@ vs_status vs_p_unroll(vs_args *f, vs_value *out) {
         covered += (a.x * b.y - a.y * b.x) / 2;
       }
     vs_area_free(&whole), whole = (vs_area){ 0 };
-    if (ok && fabs(sum - covered) > 1e-6 * sum) /* the areas of the pieces exceed the covered area: the pieces overlap
-                                                 * in the plane */
+    if (ok && fabs(sum - covered) > 1e-6 * sum) /* the sum of the pieces' areas exceeds the area that they cover: they
+                                                 * overlap in the plane */
       ok = vs_fail(vm, vm->sym.range,
                    "the surface overlaps itself when it is laid flat; cut it into shorter parts with do-slice");
   }
@@ -175,8 +176,9 @@ vs_status vs_p_unroll(vs_args *f, vs_value *out) {
   return ok ? list_of(f, r, 5, out) : VS_ERROR;
 }
 
-/* Sets *out to the list of the piece's folds, as two points for each fold. A tab is folded along its edge. Mountain
- * folds are convex as seen from outside; the triangles of a flat face have no fold between them. */
+/* Sets *out to the list of the piece's folds, each as two points. mountain: returns mountain folds, which are convex as
+ * seen from outside, otherwise valley folds. A tab is folded along its edge. The triangles of a flat face have no fold
+ * between them. */
 static bool folds(sheet *s, uint32_t piece, bool mountain, vs_value *out) {
   vs_args *f = s->f;
   const vs_flat_net *n = &s->net;
@@ -204,7 +206,7 @@ static bool folds(sheet *s, uint32_t piece, bool mountain, vs_value *out) {
 }
 
 /* Sets *out to the list of the piece's cut edges, each as number, start and end, in the direction of the border.
- * number[e] is the number of edge e. */
+ * number[e] is the number that edge e has in the result. */
 static bool numbers(sheet *s, uint32_t piece, const uint32_t *number, vs_value *out) {
   vs_args *f = s->f;
   const vs_flat_net *n = &s->net;
@@ -228,7 +230,7 @@ static bool numbers(sheet *s, uint32_t piece, const uint32_t *number, vs_value *
 }
 
 /* (%unfold solid width): returns a list of the number of faces, the number of cut edges without a tab, and for each
- * piece a list (region mountains valleys edges). */
+ * piece a list (region mountains valleys edges). width: width of the tabs. */
 vs_status vs_p_unfold(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   sheet s;

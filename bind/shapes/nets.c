@@ -70,16 +70,16 @@ static vs_status unsettled(vs_args *f, vs_relax_outcome outcome, const vs_relax_
     return vs_fail(vm, vm->sym.range,
                    "no equilibrium was found in %zu steps: a share of %s of the forces is not balanced", report->steps,
                    a);
-  case VS_RELAX_STOPPED: return VS_ERROR; /* the error is already set */
+  case VS_RELAX_STOPPED: return VS_ERROR; /* vm->condition is already set */
   case VS_RELAX_MEMORY:
   case VS_RELAX_DONE: break;
   }
   return vs_fail_memory(vm);
 }
 
-/* (%form-find points members fixed loads weight stiffness tolerance): returns the list of points, the forces of the
- * members, the residual and the number of steps. members is a flat list of four numbers each: from, to (indices from
- * 0), length, density. loads are gvectors. */
+/* (%form-find points members fixed loads weight stiffness tolerance): returns a list of the moved points, the forces of
+ * the members, the residual force and the number of steps. members is a flat list with four numbers for each: from, to
+ * (indices from 0), length, density. loads are gvectors. */
 vs_status vs_p_form_find(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   size_t n = vs_arg_points(f, 0).count;
@@ -151,7 +151,7 @@ vs_status vs_p_planarise(vs_args *f, vs_value *out) {
   vs_plane_outcome outcome = vs_net_planarise(&net, vs_arg_real(f, 3), work, &worst);
   VS_ROOTS(vm, r, 2);
   switch (outcome) {
-  case VS_PLANE_STOPPED: return VS_ERROR; /* the error is already set */
+  case VS_PLANE_STOPPED: return VS_ERROR; /* vm->condition is already set */
   case VS_PLANE_MEMORY: return vs_fail_memory(vm);
   case VS_PLANE_FAR: {
     char text[32];
@@ -166,8 +166,8 @@ vs_status vs_p_planarise(vs_args *f, vs_value *out) {
          vs_cons(vm, r[0], r[1], out);
 }
 
-/* (%shortest-path ways n from to): returns the indices, from 0, of the points on the path. ways is a flat list of three
- * numbers each. */
+/* (%shortest-path ways n from to): returns the indices, from 0, of the points on the path. ways is a flat list with
+ * three numbers for each way between two points. */
 vs_status vs_p_shortest_path(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   int64_t numbers = vs_list_length(vs_arg_value(f, 0));
@@ -195,11 +195,11 @@ vs_status vs_p_shortest_path(vs_args *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* An area in a plane: the region or closed curve of an argument, as loops. If all bytes are zero, the area is empty. */
+/* The region or closed curve of an argument, in its plane. If all bytes are zero, the area is empty. */
 typedef struct {
-  vs_outline outline; /* the loops in space, with the frame of their plane */
+  vs_outline outline; /* its loops in space, with the frame of their plane */
   vs_affine back;     /* the map from space to the frame of the plane */
-  vs_area whole;      /* the area in coordinates of the plane */
+  vs_area whole;      /* its area in the coordinates of the plane */
 } flat_region;
 
 static void flat_region_free(flat_region *r) {
@@ -207,8 +207,8 @@ static void flat_region_free(flat_region *r) {
   vs_outline_free(&r->outline);
 }
 
-/* Samples the region or closed curve of argument i, and maps it to its plane. The fineness is that of the program, or
- * `finer` times that of drawings. If it fails, sets the error; *out then needs no freeing. */
+/* Samples the region or closed curve of argument i, and maps it to its plane. The fineness is the one that the program
+ * has set, otherwise `finer` times that of drawings. If it fails, sets the error; *out then needs no freeing. */
 static bool flatten(vs_args *f, int i, double finer, flat_region *out) {
   vs_scheme *vm = vs_call_vm(f);
   vs_error e = { 0 };
@@ -228,7 +228,7 @@ static bool flatten(vs_args *f, int i, double finer, flat_region *out) {
   return vs_fail_memory(vm);
 }
 
-/* (%pack-circles region n least gap): returns a list of pairs (centre . radius), from the largest circle. */
+/* (%pack-circles region n least gap): returns a list of pairs (centre . radius), beginning with the largest circle. */
 vs_status vs_p_pack_circles(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   flat_region g;
@@ -262,7 +262,8 @@ static vs_vec2 *flat_points(vs_args *f, const vs_affine *to_plane) {
   return flat;
 }
 
-/* (delaunay points): returns the triangles as lists of three points, counterclockwise seen from above. */
+/* (delaunay points): returns the triangles of the Delaunay triangulation as lists of three points, counterclockwise as
+ * seen from above. */
 vs_status vs_p_delaunay(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   size_t n = vs_arg_points(f, 0).count, count;
@@ -287,7 +288,8 @@ vs_status vs_p_delaunay(vs_args *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* Returns a node for an area of the plane: a region bounded by polylines. Returns NULL when memory is out. */
+/* Returns a region node, bounded by polylines, for an area of the plane with this frame. Returns NULL when memory is
+ * out. */
 static vs_node *region_of(vs_args *f, const vs_area *a, const vs_affine *frame) {
   vs_store *s = vs_call_store(f);
   if (!a->loop_count) return vs_node_new(s, VS_EMPTY, &(struct vs_empty){ 0 }, NULL, 0);
@@ -305,8 +307,8 @@ static vs_node *region_of(vs_args *f, const vs_area *a, const vs_affine *frame) 
   return loops && at ? vs_node_new(s, VS_REGION, &(struct vs_region){ 0 }, loops, a->loop_count) : NULL;
 }
 
-/* (voronoi points region): returns a region for each point, in order. If the cell of a point is outside of the given
- * region, its result is empty. */
+/* (voronoi points region): returns a list with the Voronoi cell of each point as a region, in the order of the points.
+ * A cell outside of the given region is empty. */
 vs_status vs_p_voronoi(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   size_t n = vs_arg_points(f, 0).count;
@@ -346,13 +348,13 @@ vs_status vs_p_voronoi(vs_args *f, vs_value *out) {
 
 /* ---- straight skeletons ---- */
 
-/* Sets the error for an outcome that is a failure, and returns false. where: the two edges of the outline that caused
- * the failure. */
+/* If the outcome is a failure, sets the error and returns false. where: the two edges of the outline that caused the
+ * failure. */
 static bool no_skeleton(vs_args *f, vs_skeleton_outcome outcome, const vs_vec2 *at, const size_t where[2]) {
   vs_scheme *vm = vs_call_vm(f);
   char n[4][32];
   switch (outcome) {
-  case VS_SKELETON_STOPPED: return false; /* the error is already set */
+  case VS_SKELETON_STOPPED: return false; /* vm->condition is already set */
   case VS_SKELETON_MEMORY: return vs_fail_memory(vm);
   case VS_SKELETON_CROSSES:
     for (int i = 0; i < 2; i++)
@@ -375,8 +377,8 @@ static bool no_skeleton(vs_args *f, vs_skeleton_outcome outcome, const vs_vec2 *
   return true;
 }
 
-/* (%straight-skeleton points speeds sizes): returns a list for each face: the number of its edge from 1, or 0, then its
- * points. The z of a point is the time at which the moving edges reach it. */
+/* (%straight-skeleton points speeds sizes): returns a list for each face of the straight skeleton: the number of its
+ * edge from 1, or 0, then its points. The z of a point is the time at which the moving edges reach it. */
 vs_status vs_p_straight_skeleton(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   size_t n = vs_arg_points(f, 0).count, loops = 0, where[2] = { 0, 0 };

@@ -53,7 +53,7 @@ vs_status vs_p_curve_intersections(vs_args *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* ---- probes: meshes that are made once and asked often ---- */
+/* ---- probes: meshes that are made once and used for many tests ---- */
 
 typedef struct {
   vs_mesh mesh;
@@ -72,7 +72,7 @@ static void probe_free(void *p) {
 }
 static const vs_foreign_type probe_type = { .name = "an object's triangles", .release = probe_free };
 
-/* (%probe o): returns a probe of the solid or surface. */
+/* (%probe o): returns a probe, the mesh of the solid or surface o. */
 vs_status vs_p_probe(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   probe *w = NULL;
@@ -93,7 +93,7 @@ vs_status vs_p_probe(vs_args *f, vs_value *out) {
   return vs_make_foreign(vm, &probe_type, w, 0, out);
 }
 
-/* (%probe-near probe p): returns the point on the triangles nearest to p. */
+/* (%probe-near probe p): returns the point nearest to p on the probe's triangles. */
 vs_status vs_p_probe_near(vs_args *f, vs_value *out) {
   const probe *w = vs_foreign_get(vs_arg_value(f, 0), &probe_type);
   vs_vec3 p = vs_arg_point(f, 1), slope = { 0, 0, 0 };
@@ -101,7 +101,8 @@ vs_status vs_p_probe_near(vs_args *f, vs_value *out) {
   return vs_bind_give_point(f, vs_v3_sub(p, vs_v3_scale(slope, d)), out);
 }
 
-/* (%probe-ray probe p v): returns the first point where the ray from p along v hits the triangles, or #f. */
+/* (%probe-ray probe p v): returns the first intersection of the ray from p along v with the probe's triangles, or
+ * #f. */
 vs_status vs_p_probe_ray(vs_args *f, vs_value *out) {
   const probe *w = vs_foreign_get(vs_arg_value(f, 0), &probe_type);
   vs_vec3 p = vs_arg_point(f, 1), v = vs_v3_unit(vs_arg_point(f, 2));
@@ -131,7 +132,8 @@ static double passes(const probe *w, const vs_stations *c, size_t t, double low,
   return .5 * (low + high);
 }
 
-/* (%probe-curve probe c): returns the points where the curve intersects the triangles, in order along the curve. */
+/* (%probe-curve probe c): returns the intersections of the curve with the probe's triangles, in order along the
+ * curve. */
 vs_status vs_p_probe_curve(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   const probe *w = vs_foreign_get(vs_arg_value(f, 0), &probe_type);
@@ -171,15 +173,15 @@ vs_status vs_p_probe_curve(vs_args *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* (%curve-near c p): returns the distance along the curve of its point nearest to p. */
+/* (%curve-near c p): returns the distance along the curve c, from its start, of the point of c that is nearest to p. */
 vs_status vs_p_curve_near(vs_args *f, vs_value *out) {
   vs_stations c;
   vs_vec3 p = vs_arg_point(f, 1);
   if (!vs_bind_stations(f, 0, &c)) return VS_ERROR;
   double best = INFINITY, at = 0;
   size_t n = c.path.count - (c.path.closed ? 0 : 1);
-  for (size_t i = 0; i < n; i++) { /* in each span, finds the minimum of the distance as the zero of its derivative,
-                                    * starting in the middle */
+  for (size_t i = 0; i < n; i++) { /* in each span, finds the minimum of the distance as the zero of its derivative; the
+                                    * search starts in the middle */
     double low = c.along[i], high = c.along[i + 1], s = .5 * (low + high);
     vs_vec3 a = c.path.at[i].at;
     if (vs_v3_length(vs_v3_sub(a, p)) > best + 1.6 * (high - low)) continue;
@@ -197,8 +199,8 @@ vs_status vs_p_curve_near(vs_args *f, vs_value *out) {
   return vs_bind_give_real(f, at, out);
 }
 
-/* (%probe-geodesic probe p q): returns the points of the shortest path on the triangles, or the empty list if there is
- * none. */
+/* (%probe-geodesic probe p q): returns the points of the shortest path from p to q on the probe's triangles, or the
+ * empty list if there is none. */
 vs_status vs_p_probe_geodesic(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   const probe *w = vs_foreign_get(vs_arg_value(f, 0), &probe_type);
@@ -225,8 +227,8 @@ static bool polled(void *context) {
   return !p->stopped;
 }
 
-/* (%probe-offset probe c d n): returns the curves on the triangles at distance d from the curve c, each as a list of
- * points. */
+/* (%probe-offset probe c d n): returns the curves on the probe's triangles at distance d from the curve c, each as a
+ * list of points. */
 vs_status vs_p_probe_offset(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   const probe *w = vs_foreign_get(vs_arg_value(f, 0), &probe_type);
@@ -261,7 +263,7 @@ vs_status vs_p_probe_offset(vs_args *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* ---- the distance from a solid, as a field for tapes ---- */
+/* ---- the distance from a solid, as a field for tapes (compiled expressions) ---- */
 
 typedef struct {
   vs_tape_field field;
@@ -281,8 +283,8 @@ static void release(vs_tape_field *f) {
   free(d);
 }
 
-/* (%distance-field o): returns the distance from a solid as a field. Uses a mesh with a quarter of the usual
- * tolerance. */
+/* (%distance-field o): returns a field whose value at a point is its distance from the solid o. Uses a mesh with a
+ * quarter of the usual tolerance. */
 vs_status vs_p_distance_field(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   distance_field *d = NULL;

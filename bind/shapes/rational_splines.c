@@ -43,8 +43,8 @@ static bool numbers(vs_args *f, vs_value l, double **out, size_t *count) {
   return true;
 }
 
-/* (%nurbs points degree-u degree-v weights knots-u knots-v): returns the spline. If the data are wrong, returns a list
- * (fault direction number): a vs_nurbs_fault, 0 for u or 1 for v, and the position of the fault. */
+/* (%nurbs points degree-u degree-v weights knots-u knots-v): returns the spline. If an argument is wrong, returns a
+ * list (fault direction number): a vs_nurbs_fault, 0 for u or 1 for v, and the position of the fault. */
 vs_status vs_p_nurbs(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   spline *s = NULL;
@@ -73,7 +73,7 @@ vs_status vs_p_nurbs(vs_args *f, vs_value *out) {
 static const vs_nurbs *given(vs_args *f) { return &((spline *)vs_foreign_get(vs_arg_value(f, 0), &spline_type))->n; }
 static double within(const vs_nurbs_knots *k, double t) { return fmin(fmax(t, vs_nurbs_low(k)), vs_nurbs_high(k)); }
 
-/* (%nurbs-point n u v): returns a point of the spline; v is ignored for a curve. */
+/* (%nurbs-point n u v): returns the point of the spline at the parameters u and v; v is ignored for a curve. */
 vs_status vs_p_nurbs_point(vs_args *f, vs_value *out) {
   const vs_nurbs *n = given(f);
   double v = n->v.count ? within(&n->v, vs_arg_real(f, 2)) : 0;
@@ -102,8 +102,8 @@ vs_status vs_p_make_nurbs_curve(vs_args *f, vs_value *out) {
   return vs_bind_empty(f, "all points are the same", out);
 }
 
-/* Sets *out to parameter values at `steps` equal steps; if steps is 0, to as many values as the chord tolerance
- * requires. Returns their number, or 0 when memory is out. */
+/* Sets *out to values of the parameter u or v (along_v) at `steps` equal steps. If steps is 0, their number is chosen
+ * so that no chord is farther than `chord` from the spline. Returns their number, or 0 when memory is out. */
 static size_t parameters(const vs_nurbs *n, bool along_v, int64_t steps, double chord, double **out) {
   const vs_nurbs_knots *k = along_v ? &n->v : &n->u;
   size_t room = 0;
@@ -115,7 +115,7 @@ static size_t parameters(const vs_nurbs *n, bool along_v, int64_t steps, double 
   return (size_t)steps + 1;
 }
 
-/* (%make-nurbs-surface n nu nv): creates the surface from nu times nv samples. If a number is 0, it is computed from
+/* (%make-nurbs-surface n nu nv): creates the surface from nu times nv samples. If nu or nv is 0, it is computed from
  * the tolerance. */
 vs_status vs_p_make_nurbs_surface(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);

@@ -53,7 +53,7 @@ static vs_status faces_of(vs_args *f, vs_ref object, vs_face_list *l) {
   return ok ? VS_OK : vs_fail_memory(f->vm);
 }
 
-/* Merges corners with equal coordinates, and removes faces that then have too few corners. */
+/* Merges corners with equal coordinates, and removes faces that then have fewer than three corners. */
 static bool share_points(vs_face_list *l) {
   vs_face_list out = { 0 };
   uint32_t *place = NULL, *number = NULL;
@@ -97,8 +97,8 @@ static bool point_number(vs_args *f, const vs_face_list *l, vs_value v, uint32_t
   return best <= 1e-6 * vs_bounds_diagonal(&b) || vs_bind_refuse(f, "creases", "of points of the mesh", v);
 }
 
-/* Reads a list of creases (sharp edges). Each crease is a list of an edge's two points, or of their numbers from 1,
- * followed by its sharpness if this is finite. */
+/* Reads the creases (sharp edges) of a subdivision from argument 2. Each crease is a list of an edge's two end points,
+ * or of the points' numbers from 1, followed by its sharpness if this is finite. */
 static bool creases_of(vs_args *f, const vs_face_list *l, vs_crease **out, size_t *count) {
   static const char *const expected =
       "lists of three: two points of an edge, or their numbers, and the edge's sharpness";
@@ -136,7 +136,7 @@ static bool going(void *context, double done) {
   return !h->stopped;
 }
 
-/* (%make-subdivision o n creases #:scheme #:limit): creates the subdivided surface. */
+/* (%make-subdivision o n creases #:scheme #:limit): creates a surface from the faces of o, subdivided n times. */
 vs_status vs_p_make_subdivision(vs_args *f, vs_value *out) {
   vs_face_list l = { 0 };
   vs_crease *creases = NULL;
@@ -179,7 +179,8 @@ vs_status vs_p_make_subdivision(vs_args *f, vs_value *out) {
 
 /* ---- crusts of a given thickness ---- */
 
-/* (make-crust o thickness #:side): creates the crust; #:side is 'in, 'out or 'both. */
+/* (make-crust o thickness #:side): creates a solid of this thickness along the surface of o; #:side is 'in, 'out or
+ * 'both. */
 vs_status vs_p_make_crust(vs_args *f, vs_value *out) {
   double t = f->arg[1].real, outwards = 0, inwards = t;
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;

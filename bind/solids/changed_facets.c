@@ -13,7 +13,8 @@
 #include "geometry/shapes/decimation.h"
 #include "geometry/shapes/smoothing.h"
 
-/* Returns the parts of argument 0 as one object. Each part becomes the result of `change`, which changes its mesh. */
+/* Function that changes the mesh of one leaf (part) of an object. change_parts calls it for all parts of argument 0,
+ * and returns the results as one object. */
 typedef vs_status change_fn(vs_args *f, vs_bend_leaf *leaf);
 
 static vs_status change_parts(vs_args *f, change_fn *change, vs_value *out) {
@@ -50,7 +51,7 @@ static vs_status make_simpler(vs_args *f, vs_bend_leaf *leaf) {
 /* (simplify o tolerance): returns the solid with fewer facets. */
 vs_status vs_p_simplify(vs_args *f, vs_value *out) { return change_parts(f, make_simpler, out); }
 
-/* Cuts edges in half until none is longer than the length. */
+/* Halves edges of the leaf's facets until none is longer than the length in argument 1. */
 static vs_status make_finer(vs_args *f, vs_bend_leaf *leaf) {
   enum { HALVINGS = 40, TRIANGLES_MOST = 2000000 };
   double length = f->arg[1].real, area = vs_mesh_area(&leaf->mesh);
@@ -70,10 +71,11 @@ static vs_status make_finer(vs_args *f, vs_bend_leaf *leaf) {
   return ok ? VS_OK : vs_poll(f->vm, 1) ? vs_fail_memory(f->vm) : VS_ERROR;
 }
 
-/* (refine o length): returns the solid with facets whose edges are no longer than the length. */
+/* (refine o length): returns the solid with smaller facets, whose edges are no longer than `length`. */
 vs_status vs_p_refine(vs_args *f, vs_value *out) { return change_parts(f, make_finer, out); }
 
-/* Curves the facets; #:sharp is the fold from which edges stay sharp. */
+/* Replaces the leaf's facets by curved ones. #:sharp: edges with at least this angle between their facets stay
+ * sharp. */
 static vs_status make_smooth(vs_args *f, vs_bend_leaf *leaf) {
   vs_mesh_edges edges;
   vs_mesh m = { 0 };
@@ -89,5 +91,5 @@ static vs_status make_smooth(vs_args *f, vs_bend_leaf *leaf) {
   return VS_OK;
 }
 
-/* (do-smooth o): returns the solid with curved triangles through its corners. */
+/* (do-smooth o): returns the solid with curved facets through its corners. */
 vs_status vs_p_do_smooth(vs_args *f, vs_value *out) { return change_parts(f, make_smooth, out); }

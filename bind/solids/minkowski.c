@@ -1,9 +1,9 @@
 /* Implements minkowski: the sum of two solids, as a hull or a union of hulls.
  *
- * The sum of two convex solids is the hull of the sums of their corners. The sum of other solids A and B is a union: A
- * moved by one point of B, B moved by one point of A, and the sums of all pairs of boundary polygons. A point x is in
- * the sum if x - B meets A: then the boundaries meet, or one of the two lies in the other. Each polygon is convex, and
- * so is each of the sums. */
+ * The sum of two convex solids is the hull of the sums of their corners. The sum of two other solids A and B is a union
+ * of three parts: A moved by one point of B, B moved by one point of A, and the sums of all pairs of boundary polygons.
+ * A point x is in the sum if x - B and A have a common point. Then their boundaries intersect, or one of the two solids
+ * lies in the other. Each polygon is convex, and so is each of the sums. */
 #include <stdlib.h>
 
 #include "bind/build.h"
@@ -19,19 +19,19 @@
 #include "model/store/array.h"
 
 enum {
-  COPIES_MOST = 64,       /* corners of a solid up to which a sum is the hull of copies of the other, which keep their
-                           * kind */
-  POINTS_MOST = 4000000,  /* points of one hull */
-  PAIRS_MOST = 4000000,   /* points of all hulls of a union */
-  SUMS_MOST = 1000000000  /* pairs of corners of two convex solids that are compared */
+  COPIES_MOST = 64,       /* greatest number of corners of a solid for which the sum is the hull of copies of the other
+                           * solid; the copies keep their kind */
+  POINTS_MOST = 4000000,  /* greatest number of points of one hull */
+  PAIRS_MOST = 4000000,   /* greatest number of points of all hulls of a union */
+  SUMS_MOST = 1000000000  /* greatest number of pairs of corners of two convex solids that are compared */
 };
 
-/* A summand. */
+/* One of the two solids that are added. */
 typedef struct {
   vs_ref ref;
   vs_mesh mesh;
   vs_mesh_edges edges;
-  vs_convex_faces faces; /* the boundary; a convex summand has one polygon of all its corners */
+  vs_convex_faces faces; /* the boundary as convex polygons; a convex solid has one polygon of all its corners */
   bool convex;
 } summand;
 
@@ -41,7 +41,7 @@ static void summand_free(summand *s) {
   vs_mesh_free(&s->mesh);
 }
 
-/* Puts all corners into one polygon. */
+/* Puts all corners of the boundary into one polygon. */
 static bool corners_of(summand *s) {
   const vs_mesh *m = &s->mesh;
   vs_convex_faces *c = &s->faces;
@@ -62,7 +62,7 @@ static vs_status begin(vs_args *f, int i, summand *s) {
   return ok ? VS_OK : vs_fail_memory(vm);
 }
 
-/* The sum in the making: a growing list of nodes, which the call keeps. */
+/* The sum of two solids while it is computed: a growing list of nodes, which are released when the call ends. */
 typedef struct {
   vs_args *f;
   vs_growing refs;
@@ -83,7 +83,7 @@ static vs_node *moved(vs_args *f, vs_ref ref, vs_vec3 by) {
 
 static vs_status add_moved(sum *s, vs_ref ref, vs_vec3 by) { return add_node(s, moved(s->f, ref, by)); }
 
-/* Adds the hull of a cloud of points, which is freed, if they do not lie in one plane. */
+/* Adds the hull of a cloud of points, unless they lie in one plane. Frees the cloud. */
 static vs_status add_hull(sum *s, vs_cloud *cloud) {
   vs_mesh hull = { 0 };
   vs_points *points = NULL;
@@ -98,7 +98,7 @@ static vs_status add_hull(sum *s, vs_cloud *cloud) {
   return add_node(s, made);
 }
 
-/* Adds the hull of the sums of two sets of points, if they do not lie in one plane. */
+/* Adds the hull of the sums p + q of the n points at a and the m points at b, unless all sums lie in one plane. */
 static vs_status add_sum_of_points(sum *s, const vs_vec3 *a, size_t n, const vs_vec3 *b, size_t m) {
   vs_cloud cloud = { 0 };
   bool ok = true;
@@ -107,7 +107,7 @@ static vs_status add_sum_of_points(sum *s, const vs_vec3 *a, size_t n, const vs_
   return ok ? add_hull(s, &cloud) : (vs_cloud_free(&cloud), vs_fail_memory(vs_call_vm(s->f)));
 }
 
-/* Adds the hull of copies of `whole`, moved by each of the points. */
+/* Adds the hull of n copies of the object `whole`, each moved by one of the points. */
 static vs_status add_copies(sum *s, const vs_vec3 *at, size_t n, vs_ref whole) {
   vs_ref *child = vs_bind_scratch(s->f, n * sizeof *child);
   vs_points *none = child ? vs_points_new(vs_call_store(s->f), NULL, 0) : NULL;
@@ -123,7 +123,8 @@ static vs_status add_copies(sum *s, const vs_vec3 *at, size_t n, vs_ref whole) {
   return ok ? add_node(s, made) : VS_ERROR;
 }
 
-/* Adds the sum of a polygon and a convex summand. Copies of a round summand keep its kind. */
+/* Adds the sum of a polygon, whose n corners are at a, and the convex solid b. If b is round, the hull of copies of b
+ * keeps b's kind. */
 static vs_status add_pair(sum *s, const vs_vec3 *a, size_t n, const summand *b) {
   if (n <= COPIES_MOST && b->faces.count > COPIES_MOST) return add_copies(s, a, n, b->ref);
   return add_sum_of_points(s, a, n, b->faces.at, b->faces.count);
@@ -136,8 +137,9 @@ static vs_status too_fine(vs_args *f, size_t points) {
                  points);
 }
 
-/* Adds the sum of two convex solids with many corners: the hull of the sums of corners that can be the farthest in one
- * direction. Corners of a pair that is not added cannot, so their sum lies within the hull. */
+/* Adds the sum of two convex solids with many corners. It is the hull of sums of two corners that can be the
+ * farthest ones in a common direction. For other pairs of corners no such direction exists, so their sums lie within
+ * the hull. */
 static vs_status add_round_sum(sum *s, const summand *a, const summand *b) {
   vs_normal_cap *p = vs_bind_scratch(s->f, a->mesh.vertex_count * sizeof *p),
                 *q = vs_bind_scratch(s->f, b->mesh.vertex_count * sizeof *q);
@@ -169,7 +171,7 @@ static vs_status sum_of_convex(sum *s, const summand *a, const summand *b) {
   return add_pair(s, a->faces.at, n, b);
 }
 
-/* Adds copies of `whole`, moved by a point of each part of `at`. */
+/* Adds copies of the object `whole`: for each connected part of the solid `at`, a copy moved by a point of this part. */
 static vs_status add_inner(sum *s, vs_ref whole, const summand *at) {
   vs_mesh_parts parts;
   vs_status ok = vs_mesh_parts_find(&at->mesh, &parts) ? VS_OK : vs_fail_memory(vs_call_vm(s->f));
@@ -180,7 +182,7 @@ static vs_status add_inner(sum *s, vs_ref whole, const summand *at) {
   return ok;
 }
 
-/* Adds the sums of all pairs of boundary polygons. */
+/* Adds the sums of all pairs of boundary polygons, one of a and one of b. */
 static vs_status sum_of_boundaries(sum *s, const summand *a, const summand *b) {
   size_t points = a->faces.count * b->faces.count;
   if (points > PAIRS_MOST) return too_fine(s->f, points);
@@ -200,7 +202,7 @@ static vs_status sum_of_any(sum *s, const summand *a, const summand *b) {
   return ok && add_inner(s, a->ref, b) && add_inner(s, b->ref, a) ? VS_OK : VS_ERROR;
 }
 
-/* Sets *out to the union of the nodes. */
+/* Sets *out to the union of the nodes in s. */
 static vs_status give_sum(sum *s, vs_value *out) {
   const vs_ref *refs = s->refs.at;
   vs_node *n = s->refs.count == 1
@@ -209,7 +211,8 @@ static vs_status give_sum(sum *s, vs_value *out) {
   return vs_bind_give_node(s->f, n, out);
 }
 
-/* (%do-offset-solid o ball): returns all points of the boundary of o, each replaced by a copy of the convex solid. */
+/* (%do-offset-solid o ball): returns the union of copies of the convex solid `ball`, one for each point of the boundary
+ * of o. */
 vs_status vs_p_solid_skin(vs_args *f, vs_value *out) {
   summand a = { 0 }, b = { 0 };
   sum s = { .f = f, .refs = { .size = sizeof(vs_ref) } };

@@ -22,7 +22,7 @@
 #include "model/store/array.h"
 #include "solids/solid_meshes.h"
 
-/* A solid with its faces. */
+/* A solid's mesh with its faces and edges. */
 typedef struct {
   vs_solid solid;
   vs_mesh_edges edges;
@@ -35,8 +35,8 @@ static void faced_free(faced *s) {
   vs_solid_free(&s->solid);
 }
 
-/* Returns true if the triangles of the primitive approximate a curved surface: not those of a hull of points, or of an
- * extruded polygon. */
+/* Returns true if the triangles of the primitive n approximate a curved surface. Hulls of points and extruded polygons
+ * do not. */
 static bool is_round(const vs_node *n) {
   if (!n || !vs_node_has(n, VS_IS_ROUND)) return false;
   if (n->kind == VS_HULL) return n->child_count > 0;
@@ -65,7 +65,7 @@ static vs_status find(vs_args *f, faced *s) {
   return ok ? VS_OK : vs_fail_memory(vm);
 }
 
-/* Sets *out to a surface of the face's triangles. */
+/* Sets *out to a surface that consists of the triangles of one face. */
 static vs_status surface_of(vs_args *f, const faced *s, uint32_t face, vs_value *out) {
   vs_mesh m = { 0 };
   uint32_t *name = NULL;
@@ -88,7 +88,7 @@ static vs_status surface_of(vs_args *f, const faced *s, uint32_t face, vs_value 
   return n ? vs_bind_give_node(f, n, out) : vs_fail_memory(vs_call_vm(f));
 }
 
-/* Sets *out to the list of n values. */
+/* Sets *out to the list of the n values in `items`. */
 static bool list_of(vs_args *f, const vs_value *items, size_t n, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   VS_ROOTS(vm, r, 1);
@@ -99,7 +99,8 @@ static bool list_of(vs_args *f, const vs_value *items, size_t n, vs_value *out) 
   return true;
 }
 
-/* A face: (form area normal point radius surface object); the object is the primitive that made the face. */
+/* Sets *out to the description of a face: (form area normal point radius surface object). object: the primitive to
+ * which the face belongs. */
 static bool give_face(vs_args *f, const faced *s, uint32_t face, vs_value *out) {
   const vs_mesh_face *g = &s->faces.faces[face];
   VS_ROOTS(vs_call_vm(f), r, 7);
@@ -110,7 +111,7 @@ static bool give_face(vs_args *f, const faced *s, uint32_t face, vs_value *out) 
          list_of(f, r, 7, out);
 }
 
-/* An edge: (face face closed? angle point ...). */
+/* Sets *out to the description of edge i: (face face closed? angle point ...). */
 static bool give_edge(vs_args *f, const faced *s, size_t i, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   const vs_face_edge *g = &s->faces.edges[i];
@@ -142,17 +143,17 @@ vs_status vs_p_solid_faces(vs_args *f, vs_value *out) {
   return ok && vs_cons(vm, r[0], r[1], out) ? VS_OK : VS_ERROR;
 }
 
-/* (%edges-along axis): returns the unit gvector along the axis. */
+/* (%edges-along axis): returns the unit gvector along the axis, for edges.scm. */
 vs_status vs_p_edges_along(vs_args *f, vs_value *out) {
   return vs_bind_give_vector(f, vs_v3_unit(vs_arg_line(f, 0).direction), out);
 }
 
-/* (%faces-towards v): returns the unit gvector in the direction v. */
+/* (%faces-towards v): returns the unit gvector in the direction v, for edges.scm. */
 vs_status vs_p_faces_towards(vs_args *f, vs_value *out) {
   return vs_bind_give_vector(f, vs_v3_unit(vs_arg_point(f, 0)), out);
 }
 
-/* ---- faces moved ---- */
+/* ---- moving faces of a solid ---- */
 
 /* Returns the coordinates of a point or gvector. */
 static vs_vec3 place_of(vs_value v) {
@@ -160,7 +161,8 @@ static vs_vec3 place_of(vs_value v) {
   return vs_v3(d[0], d[1], d[2]);
 }
 
-/* Sets the moves from a list of a number, or a list of point and normal, for each face. */
+/* Sets *out to the moves of the faces from argument 1: for each face a number (a distance), or a list of a point and a
+ * normal (its new plane). */
 static vs_status take_moves(vs_args *f, const faced *s, vs_face_move **out) {
   size_t n = s->faces.face_count, i = 0;
   vs_face_move *m = vs_bind_scratch(f, (n + 1) * sizeof *m);
@@ -177,8 +179,8 @@ static vs_status take_moves(vs_args *f, const faced *s, vs_face_move **out) {
   return i == n ? VS_OK : vs_bind_refuse(f, "moves", "a list of one move for each face", vs_arg_value(f, 1));
 }
 
-/* (%move-faces o moves): returns the solid with its faces moved. Where that fails, returns a list of the place, and
- * #t if a face would be turned over there, or #f if faces do not meet there. */
+/* (%move-faces o moves): returns the solid with its faces moved. If a move fails, returns a list of the place of the
+ * failure, and #t if a face would be turned over there, or #f if faces do not intersect there. */
 vs_status vs_p_move_faces(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   faced s = { 0 };
@@ -202,7 +204,7 @@ vs_status vs_p_move_faces(vs_args *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* (%do-draft plane): returns a list of a point of the plane and its unit normal. */
+/* (%do-draft plane): returns a list of a point of the plane and its unit normal, for edges.scm. */
 vs_status vs_p_do_draft(vs_args *f, vs_value *out) {
   VS_ROOTS(vs_call_vm(f), r, 2);
   bool ok = vs_bind_give_point(f, vs_arg_line(f, 0).at, &r[0]) &&

@@ -1,4 +1,4 @@
-/* Implements the natives for the parts of solids: which of some solids touch each other, and the space on one side of a
+/* Implements the natives for the parts of solids: the connected parts of several solids, and the space on one side of a
  * surface. */
 #include <stdlib.h>
 #include <string.h>
@@ -24,7 +24,8 @@
 #include "model/store/array.h"
 #include "solids/solid_meshes.h"
 
-/* Marks the pieces of which each part has faces: mine[part * count + piece]. */
+/* Sets *mine to an array that says which parts have faces of which of the `count` pieces: (*mine)[part * count +
+ * piece]. */
 static bool mark(const vs_solid *solid, const vs_mesh_parts *parts, size_t count, bool **mine) {
   *mine = vs_zeros((size_t)parts->count * count, sizeof **mine);
   for (size_t t = 0; *mine && t < solid->mesh.triangle_count; t++) {
@@ -34,7 +35,7 @@ static bool mark(const vs_solid *solid, const vs_mesh_parts *parts, size_t count
   return *mine != NULL;
 }
 
-/* Sets *out to the list (piece-number ...), then the part as a mesh: of one part. */
+/* Sets *out to a pair for one part: the list (piece-number ...) of the pieces in it, and the part as a mesh. */
 static bool describe(vs_args *f, const vs_solid *solid, const vs_mesh_parts *parts, uint32_t part, const bool *mine,
                      size_t count, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
@@ -50,8 +51,9 @@ static bool describe(vs_args *f, const vs_solid *solid, const vs_mesh_parts *par
   return vs_bind_give_node(f, n, &r[1]) && vs_cons(vm, r[0], r[1], out);
 }
 
-/* (%solid-parts pieces): returns a list of the parts of the pieces' union that do not touch. Each is a pair: the list
- * of the numbers of the pieces in it, from 0, and a mesh. A piece without a face of its own is in no list. */
+/* (%solid-parts pieces): returns a list of the parts of the pieces' union that do not touch each other. Each is a pair:
+ * the list of the numbers (from 0) of the pieces in it, and a mesh. A piece without a face of its own in the union is
+ * in no list. */
 vs_status vs_p_solid_parts(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   vs_refs refs = { vs_arg_refs(f, 0).at, vs_arg_refs(f, 0).count };
@@ -85,8 +87,8 @@ vs_status vs_p_solid_parts(vs_args *f, vs_value *out) {
 
 /* ---- surfaces that split solids ---- */
 
-/* Adds to m, a surface, its copy moved by `way`, and the walls between their borders, so that it bounds the space
- * between them. The surface is then turned to face away from the way. */
+/* Adds to the surface m a copy that is moved by `way`, and walls between the borders of the two. m then bounds the
+ * space between them. The surface's own triangles are turned to face against `way`. */
 static bool thick(vs_mesh *m, const vs_mesh_edges *edges, vs_vec3 way) {
   size_t triangles = m->triangle_count, vertices = m->vertex_count;
   bool ok = vs_mesh_reserve(m, 2 * vertices, 2 * triangles);
@@ -110,7 +112,7 @@ static bool thick(vs_mesh *m, const vs_mesh_edges *edges, vs_vec3 way) {
   return ok;
 }
 
-/* Returns true if the surface's border crosses the solid, and sets *at to a point of it inside. */
+/* Returns true if the surface's border intersects the solid, and sets *at to a point of the border inside the solid. */
 static bool ends_inside(const vs_mesh_edges *edges, const vs_mesh *solid, double slack, vs_vec3 *at, bool *memory) {
   vs_mesh_distance *d = vs_mesh_distance_new(solid);
   bool found = false;
@@ -128,8 +130,8 @@ static bool ends_inside(const vs_mesh_edges *edges, const vs_mesh *solid, double
   return found;
 }
 
-/* (%split surface solid): returns the solid between the surface and its copy, moved along its normal past the
- * solid. */
+/* (%split surface solid): returns the solid between the surface and its copy, which is moved along the surface's normal
+ * until it is beyond `solid`. */
 vs_status vs_p_split(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   vs_mesh m = { 0 }, solid = { 0 };

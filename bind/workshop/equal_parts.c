@@ -1,5 +1,5 @@
-/* Implements the natives of part-groups and part-size: the shape of parts apart from their place, and the box around
- * them. */
+/* Implements the natives of part-groups and part-size: comparing the shapes of parts independently of their place, and
+ * computing the smallest box around a part. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -19,11 +19,11 @@
 /* A piece of a part. placed: the map from the piece's coordinates to those of the part. */
 typedef struct { vs_ref ref; vs_affine placed; } piece;
 
-/* A part, of which only the pieces of the highest dimension count: the region of a slice, without its engraved lines.
- * The pieces lie below placements, so their facets do not depend on how the part is turned. */
+/* A part, of which only the pieces of the highest dimension are compared: the region of a slice, but not its engraved
+ * lines. The pieces are below the part's placements, so that their facets do not depend on how the part is turned. */
 typedef struct {
   vs_args *f;
-  vs_growing pieces;  /* of type piece */
+  vs_growing pieces;  /* array of elements of type piece */
   vs_class class_;
 } part;
 
@@ -31,12 +31,13 @@ static int rank(vs_class c) { return c == VS_SOLID ? 3 : c == VS_SURFACE || c ==
 
 static piece *piece_at(const part *p, size_t i) { return (piece *)p->pieces.at + i; }
 
-/* Returns true if the union's children are pieces of their own. A union of solids, or of regions, is one piece. */
+/* Returns true if the children of the union n are pieces of their own. A union of solids, or of regions, is one
+ * piece. */
 static bool divides(const vs_node *n) {
   return n->kind == VS_UNION && (n->class_ == VS_MIXED || n->class_ == VS_CURVE || n->class_ == VS_SURFACE);
 }
 
-/* Replaces the piece by the node below its placements, materials and layers. */
+/* Replaces the piece's node by the node below its placements, materials and layers. */
 static void descend(piece *p) {
   for (const vs_node *n = p->ref.node; vs_is_wrapper(n); n = p->ref.node) {
     if (n->kind == VS_TRANSFORM) p->placed = vs_affine_multiply(&p->placed, &VS_AS(transform, n)->matrix);
@@ -44,7 +45,7 @@ static void descend(piece *p) {
   }
 }
 
-/* Divides the part into pieces: replaces each union that divides by its children. */
+/* Divides the part into pieces: replaces each union for which `divides` is true by its children. */
 static bool part_open(part *p, vs_args *f, vs_ref whole) {
   *p = (part){ .f = f, .pieces = { .size = sizeof(piece) } };
   piece *first = vs_bind_grow(f, &p->pieces);
@@ -72,7 +73,7 @@ static bool counts(const part *p, size_t i) {
   return !divides(n) && rank((vs_class)n->class_) == rank(p->class_);
 }
 
-/* Computes the triangles of a piece. */
+/* Sets *m to the triangles of a piece. */
 static bool piece_triangles(vs_args *f, vs_ref ref, vs_mesh *m) {
   vs_scheme *vm = vs_call_vm(f);
   if (ref.node->class_ != VS_REGION_CLASS) return vs_bend_triangles(vm, ref, m);
@@ -118,7 +119,8 @@ static bool curve_shape(part *p, vs_part_shape *out) {
   return ok;
 }
 
-/* Finds the box around the part. Tries the axes in which the first piece was made: they suit round parts. */
+/* Finds the smallest box around the part. Also tries the axes of the coordinates in which the first piece was made:
+ * they suit round parts. */
 static void find_box(const part *p, const vs_mesh *m, vs_part_box *box) {
   vs_vec3 own[3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
   size_t i = 0;
@@ -151,7 +153,7 @@ static bool shape_of(vs_args *f, vs_ref ref, vs_part_shape *out, vs_part_box *bo
   return ok;
 }
 
-/* Sets group[i] to the index of the first part that equals part i. */
+/* Sets group[i] to the index of the first part whose shape equals that of part i. */
 static bool find_groups(vs_args *f, const vs_part_shape *shapes, size_t count, double tolerance, size_t *group) {
   size_t *firsts = vs_bind_scratch(f, (count + 1) * sizeof *firsts), first_count = 0;
   if (!firsts) return false;
@@ -165,7 +167,8 @@ static bool find_groups(vs_args *f, const vs_part_shape *shapes, size_t count, d
   return true;
 }
 
-/* (%part-groups parts tolerance): returns a list with, for each part, the index of the first part that equals it. */
+/* (%part-groups parts tolerance): returns a list with, for each part, the index of the first part that has the same
+ * shape. */
 vs_status vs_p_part_groups(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   const size_t n = vs_arg_refs(f, 0).count;

@@ -1,4 +1,4 @@
-/* Implements land: a surface through surveyed points, which contains given lines (breaklines), and the solid under a
+/* Implements land: a surface through surveyed points and along given lines (breaklines), and the solid under a
  * surface. */
 
 #include <math.h>
@@ -52,7 +52,7 @@ static vs_status two_heights(vs_args *f, vs_vec3 p, vs_vec3 q) {
   return vs_fail(vm, vm->sym.range, "points at (xy %s %s) have two heights, %s and %s", n[0], n[1], n[2], n[3]);
 }
 
-/* Sets number[i] to the index of the vertex in m for point i. Points with equal x and y share a vertex. Sets an error
+/* Sets number[i] to the index of the vertex in m for point i. Points with equal x and y have one vertex. Sets an error
  * if their heights differ. */
 static vs_status number_points(vs_args *f, const vs_vec3 *at, size_t n, uint32_t *number, vs_mesh *m) {
   placed *p = vs_bind_scratch(f, (n + 1) * sizeof *p);
@@ -79,8 +79,8 @@ static vs_status not_constrained(vs_args *f, vs_breaklines_outcome outcome, vs_v
   return vs_fail(vm, vm->sym.range, "a breakline at (xy %s %s) comes too near to other points", x, y);
 }
 
-/* (%terrain points breaks sizes): computes a surface through the points. breaks are the points of all breaklines in
- * sequence; each of the sizes is the number of points of a breakline. Returns a pair of points and faces. */
+/* (%terrain points breaks sizes): computes a surface through the points. breaks: the points of all breaklines in
+ * sequence; sizes: the number of points of each breakline. Returns a pair of a list of points and a list of faces. */
 vs_status vs_p_terrain(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   size_t n = vs_arg_points(f, 0).count, breaks = vs_arg_points(f, 1).count, all = n + breaks, edge_count = 0;
@@ -123,14 +123,14 @@ vs_status vs_p_terrain(vs_args *f, vs_value *out) {
 
 /* ---- the solid under a surface ---- */
 
-/* Adds a wall below the border edge from a to b of a surface, which lies to the left of the edge. Vertices base + a and
- * base + b are the lower corners */
+/* Adds a wall below the border edge from a to b of a surface. The surface lies to the left of the edge. Vertices base +
+ * a and base + b are the lower corners of the wall. */
 static bool add_wall(vs_mesh *m, uint32_t a, uint32_t b, uint32_t base) {
   return vs_mesh_add_triangle(m, a, base + a, base + b) && vs_mesh_add_triangle(m, a, base + b, b);
 }
 
-/* Computes the closed mesh between a surface and the horizontal plane at the height `low`. If `top` is a number, first
- * replaces the surface by its projection at the height `top`. */
+/* Sets *out to the closed mesh between the surface s and the horizontal plane at the height `low`. If `top` is a
+ * number, s is first projected to the height `top`. */
 static bool close_surface(const vs_mesh *s, double low, double top, vs_mesh *out) {
   vs_mesh_edges edges = { 0 };
   uint32_t base = (uint32_t)s->vertex_count;

@@ -15,7 +15,7 @@
 #include "geometry/plane/planar_evaluation.h"
 #include "vm/machine/fail.h"
 
-/* The parts to pack, as areas, each with the map that lays the part into the plane XY. */
+/* The parts to pack, as areas. Each has the map that moves the part into the plane XY. */
 typedef struct {
   vs_args *f;
   size_t count;
@@ -27,19 +27,20 @@ static void parts_free(parts *p) {
   for (size_t i = 0; p->areas && i < p->count; i++) vs_area_free(&p->areas[i]);
 }
 
-/* Lays the outline of a part flat. Horizontal parts keep their X and Y. */
+/* Computes the map that moves a part's outline into the plane XY, and its area there. Horizontal parts keep their X and
+ * Y. */
 static bool lay_flat(const vs_outline *o, vs_affine *flat, vs_area *area) {
   vs_affine frame = o->frame;
   if (fabs(o->normal.x) < 1e-12 && fabs(o->normal.y) < 1e-12) {
     frame = vs_affine_identity();
     frame.m[2][3] = o->point.z;
   }
-  vs_affine_invert(&frame, flat); /* a frame is a rotation and a move */
+  vs_affine_invert(&frame, flat); /* the frame is a rotation and a move, so it has an inverse */
   return vs_area_of_outline(o, &frame, area);
 }
 
-/* Computes the area that part i covers. If the part has arcs, the area is grown by the greatest distance from an arc to
- * its chord. */
+/* Computes the area that part i covers. If the part has arcs, its area is enlarged by the greatest distance from an arc
+ * to its chord. */
 static bool part_area(parts *p, size_t i) {
   const vs_node *n = vs_arg_refs(p->f, 0).at[i].node;
   vs_outline coarse = { 0 }, fine = { 0 };
@@ -61,14 +62,14 @@ static bool part_area(parts *p, size_t i) {
   return ok;
 }
 
-/* Reads numbers from a list that cutting_sheets.scm has checked. */
+/* Reads at most `most` numbers from the list l, which cutting_sheets.scm has checked. Returns how many. */
 static size_t read_numbers(vs_args *f, vs_value l, double *out, size_t most) {
   size_t n = 0;
   for (; vs_is_pair(l) && n < most; l = vs_cdr(l), n++) vs_bind_take_number(vs_call_vm(f), vs_car(l), &out[n]);
   return n;
 }
 
-/* Sets *out to a list with, for each part, the number of its sheet from 0, and its matrix. */
+/* Sets *out to a list with a pair for each part: the number of its sheet from 0, and its matrix. */
 static bool give_places(parts *p, const vs_nest_place *places, vs_value *out) {
   vs_args *f = p->f;
   VS_ROOTS(vs_call_vm(f), r, 2);
@@ -88,8 +89,8 @@ static bool give_places(parts *p, const vs_nest_place *places, vs_value *out) {
   return true;
 }
 
-/* (%pack-parts regions (width height gap margin effort) angles): returns the list of pairs (sheet . matrix), one for
- * each region; or the index of a region that is larger than the sheet. */
+/* (%pack-parts regions (width height gap margin effort) angles): returns a list of pairs (sheet . matrix), one for each
+ * region. If a region is larger than the sheet, returns the region's index instead. */
 vs_status vs_p_pack_parts(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   double numbers[5] = { 0 }, *angles = vs_bind_scratch(f, 360 * sizeof *angles);

@@ -1,4 +1,5 @@
-/* Implements the natives of outlines and level lines of regions, surfaces and solids. */
+/* Implements the natives for outlines of regions and surfaces, and for level lines and slices of surfaces and
+ * solids. */
 #include "bind/workshop/outlines.h"
 
 #include <stdlib.h>
@@ -25,8 +26,8 @@
 #include "solids/sections.h"
 #include "vm/machine/fail.h"
 
-/* Returns a node of the line through these points, closed if p is closed. The node is released when the call ends. If
- * it fails, sets the error and returns NULL. */
+/* Returns a node of the line through the points of p, closed if p is closed. The node is released when the call ends.
+ * If it fails, sets the error and returns NULL. */
 static vs_node *line_of(vs_args *f, const vs_polyline *p) {
   vs_store *store = vs_call_store(f);
   vs_points *points = vs_points_new(store, p->at, p->count);
@@ -36,7 +37,7 @@ static vs_node *line_of(vs_args *f, const vs_polyline *p) {
   return vs_bind_keep(f, n) ? n : NULL;
 }
 
-/* Returns true if the closed lines a and b have equal points, in equal or opposite order. */
+/* Returns true if the closed lines a and b have the same sequence of points, from any start, forwards or backwards. */
 static bool same_loop(const vs_polyline *a, const vs_polyline *b) {
   bool forward = a->count == b->count, back = forward;
   for (size_t i = 0; (forward || back) && i < a->count; i++) {
@@ -46,8 +47,8 @@ static bool same_loop(const vs_polyline *a, const vs_polyline *b) {
   return forward || back;
 }
 
-/* Sets curve[i] to the child of the region that has exactly the points of loop i of the outline. Sets it to no node if
- * there is no such child. */
+/* Sets curve[i] to the child of the region that has exactly the points of loop i of the outline o. If there is no such
+ * child, the node of curve[i] is NULL. */
 static bool match_curves(vs_args *f, const vs_node *region, const vs_fineness *facets, const vs_outline *o,
                          vs_ref *curve) {
   vs_scheme *vm = vs_call_vm(f);
@@ -69,8 +70,8 @@ static bool match_curves(vs_args *f, const vs_node *region, const vs_fineness *f
   return true;
 }
 
-/* Adds curves for the loops of the outline o to the array `out`: only holes, or only outer loops. Each curve gets the
- * layers and materials of `whole`. */
+/* Adds curves for the loops of the outline o to the array `out`: holes if `holes` is true, otherwise outer loops. Each
+ * curve gets the layers and materials of `whole`. */
 static bool put_loops(vs_args *f, vs_ref whole, const vs_outline *o, const vs_ref *curve, bool holes, vs_ref *out,
                       size_t *count) {
   for (size_t i = 0; i < o->count; i++) {
@@ -97,8 +98,8 @@ static vs_ref *of_region(vs_args *f, vs_ref ref, size_t *count) {
   const vs_node *n = ref.node;
   while (vs_is_wrapper(n)) n = n->children[0].node;
   vs_fineness facets = vs_bend_facets(vm, n);
-  if (vs_bind_tolerance(vm) <= 0) facets.tolerance /= 16; /* as fine as sections of solids, since the lines of the
-                                                              * outline become part of the model */
+  if (vs_bind_tolerance(vm) <= 0) facets.tolerance /= 16; /* outlines are as fine as sections of solids, since their
+                                                           * lines become part of the model */
   if (!vs_region_outline(n, &facets, &o, &e)) return vs_bind_error(vm, &e), NULL;
   vs_ref *curve = vs_bind_scratch(f, (o.count + 1) * sizeof *curve);
   vs_ref *out = curve && match_curves(f, n, &facets, &o, curve) ? of_outline(f, ref, &o, curve, count) : NULL;
@@ -178,7 +179,7 @@ static bool keep_line(void *context, const vs_polyline *line) {
   return l->at[l->count++].node != NULL;
 }
 
-/* Sets *out to the list of the lines in which a plane intersects an open mesh. */
+/* Sets *out to the list of the curves in which a plane intersects an open mesh. */
 static vs_status surface_level(vs_args *f, const vs_mesh *m, vs_vec3 at, vs_vec3 normal, vs_value *out) {
   level_lines lines = { .f = f };
   bool ok = vs_mesh_contour(m, at, normal, &(vs_line_put){ keep_line, &lines });
@@ -214,8 +215,8 @@ static vs_status solid_level(vs_args *f, const vs_mesh *m, vs_vec3 at, vs_vec3 n
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* Sets *out to the pair of the least and greatest height above the plane of the object's corners, or to #f if it has no
- * corners. */
+/* Sets *out to a pair of heights above the plane: the least and the greatest of the object's corners. Sets *out to #f
+ * if the object has no corners. */
 static vs_status give_span(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   vs_mesh m = { 0 };
@@ -232,9 +233,9 @@ static vs_status give_span(vs_args *f, vs_value *out) {
   return low <= high ? vs_cons(vm, vs_flonum(low), vs_flonum(high), out) : VS_OK;
 }
 
-/* (%contours o plane heights): returns a list for each height above the plane, from the last height to the first. For a
- * solid it contains the section, a region; for a surface, the curves. Without heights, returns the pair of the object's
- * least and greatest height, or #f. */
+/* (%contours o plane heights): returns a list for each height above the plane, from the last height to the first. The
+ * list contains the section of a solid, which is a region, or the curves of a surface. Without heights, returns the
+ * pair of the object's least and greatest height, or #f. */
 vs_status vs_p_levels(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   vs_mesh m = { 0 };
@@ -246,7 +247,7 @@ vs_status vs_p_levels(vs_args *f, vs_value *out) {
   if (class_ != VS_SOLID && class_ != VS_SURFACE)
     return vs_bind_refuse(f, "o", "a solid or a surface", vs_arg_value(f, 0));
   if (vs_arg_value(f, 2) == VS_FALSE) return give_span(f, out);
-  VS_ROOTS(vm, r, 3); /* roots of the garbage collector: the result, the list of a height, the remaining heights */
+  VS_ROOTS(vm, r, 3); /* roots of the garbage collector: the result, the list for one height, the remaining heights */
   r[0] = VS_NIL, r[2] = vs_arg_value(f, 2);
   bool ok = vs_bend_triangles(vm, vs_arg_ref(f, 0), &m);
   for (; ok && vs_is_pair(r[2]); r[2] = vs_cdr(r[2])) {
@@ -269,8 +270,8 @@ vs_status vs_p_slices_normal(vs_args *f, vs_value *out) {
 }
 
 
-/* Sets *out to the list of those curves of the outline `above` that lie within the outline o, moved into the plane of
- * o. */
+/* Sets *out to the list of curves of the outline `above` that lie within the outline o. The curves are moved into the
+ * plane of o. */
 static bool add_engraved(vs_args *f, const vs_outline *o, const vs_outline *above, double slack, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   vs_area a = { 0 }, b = { 0 };
@@ -320,9 +321,9 @@ vs_status vs_p_largest_circle(vs_args *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* (%slices o plane heights): heights are descending. Returns a pair for each height, from the lowest: the section,
- * which is a region or #f, and those curves of the next higher section that lie within it. Without heights, returns the
- * pair of the object's least and greatest height, or #f. */
+/* (%slices o plane heights): heights are descending. Returns a pair for each height, from the lowest: the section at
+ * this height, which is a region or #f, and the curves of the next higher section that lie within it. Without heights,
+ * returns the pair of the object's least and greatest height, or #f. */
 vs_status vs_p_slices(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   vs_mesh m = { 0 };
@@ -334,7 +335,8 @@ vs_status vs_p_slices(vs_args *f, vs_value *out) {
   if (vs_arg_ref(f, 0).node->class_ == VS_NOTHING) return VS_OK;
   if (vs_arg_ref(f, 0).node->class_ != VS_SOLID) return vs_bind_refuse(f, "o", "a solid", vs_arg_value(f, 0));
   if (vs_arg_value(f, 2) == VS_FALSE) return give_span(f, out);
-  VS_ROOTS(vm, r, 4); /* roots of the garbage collector: the result, a pair, its region, the remaining heights */
+  VS_ROOTS(vm, r, 4); /* roots of the garbage collector: the result, a pair, the region in the pair, the remaining
+                       * heights */
   r[0] = VS_NIL, r[3] = vs_arg_value(f, 2);
   bool ok = vs_bend_triangles(vm, vs_arg_ref(f, 0), &m);
   vs_bounds b = vs_mesh_bounds(&m);

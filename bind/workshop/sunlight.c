@@ -1,4 +1,5 @@
-/* Implements the sun in the language: its direction at a moment, and the hours of sunlight at places among objects. */
+/* Implements the position of the sun for programs: its direction at a moment, and the hours of sunlight at places among
+ * objects. */
 #include "bind/workshop/sunlight.h"
 
 #include <math.h>
@@ -60,7 +61,8 @@ vs_status vs_p_sun_direction(vs_args *f, vs_value *out) {
   return vs_bind_moment(f, f->key, &m) && vs_bind_give_vector(f, towards_sun(&m), out);
 }
 
-/* (%sun-path hours #:latitude #:longitude #:date): returns the direction to the sun at this hour of mean local time. */
+/* (%sun-path hours #:latitude #:longitude #:date): returns the direction to the sun, as a gvector, at this hour of mean
+ * local time. */
 vs_status vs_p_sun_at(vs_args *f, vs_value *out) {
   vs_sun_moment m;
   vs_arg place[4] = { f->key[0], f->key[1], f->key[2], { .given = false } };
@@ -71,8 +73,8 @@ vs_status vs_p_sun_at(vs_args *f, vs_value *out) {
   return vs_bind_give_vector(f, towards_sun(&m), out);
 }
 
-/* Sets *out to a list with the hours of sunlight at each place. tree: triangles that cast shadows; NULL if there are
- * none. */
+/* Sets *out to a list with the hours of sunlight at each place. tree: the triangles that cast shadows, or NULL if there
+ * are none. */
 static vs_status count_hours(vs_args *f, const vs_ray_tree *tree, double size, vs_value *out) {
   const vs_arg *at = &f->arg[0], *normals = &f->arg[1], *suns = &f->arg[2];
   VS_ROOTS(f->vm, r, 1);
@@ -93,7 +95,7 @@ static vs_status count_hours(vs_args *f, const vs_ray_tree *tree, double size, v
   return VS_OK;
 }
 
-/* Adds the triangles of an object that casts a shadow to the mesh. */
+/* Adds the triangles of an object that casts a shadow to the mesh `all`. */
 static bool add_shade(vs_args *f, vs_ref ref, vs_mesh *all) {
   vs_arg first = f->arg[0];
   vs_mesh m = { 0 };
@@ -117,8 +119,9 @@ static bool add_shade(vs_args *f, vs_ref ref, vs_mesh *all) {
   return ok;
 }
 
-/* (%solar-hours points normals suns step among): returns the hours of sunlight at each point, among objects that cast
- * shadows. Normals and the directions to the suns are given as points; each sun shines for `step` hours. */
+/* (%solar-hours points normals suns step among): returns a list of the hours of sunlight at each point, among objects
+ * that cast shadows. Normals and the directions to the suns are given as points. Each sun, one position of the sun,
+ * shines for `step` hours. */
 vs_status vs_p_solar_hours(vs_args *f, vs_value *out) {
   vs_mesh m = { 0 };
   vs_ray_tree tree = { 0 };

@@ -17,8 +17,8 @@ static bool add_text(vs_args *f, const char *text, vs_value *list) {
   return vs_string_from_utf8(vm, text, strlen(text), &r[0]) && vs_cons(vm, r[0], *list, list);
 }
 
-/* (%schedule-looks o): returns a list of the object's kind, layer, material, and the metres in a model unit. A missing
- * name is "". If several layers or materials surround the whole object, the innermost is returned. */
+/* (%schedule-looks o): returns a list of the object's kind, layer, material, and the length of the model unit in
+ * metres. A missing name is "". If several layers or materials surround the whole object, the innermost is returned. */
 vs_status vs_p_schedule_looks(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   const vs_node *n = vs_arg_ref(f, 0).node;
