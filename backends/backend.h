@@ -2,16 +2,16 @@
  * emitter.h declares the functions that they may call in turn.
  *
  * The driver walks the drawing without recursion. It calls the emit function of a node's kind for every node that the
- * format draws. If the driver does not visit a node's children (a primitive, or a profile with its sweep), it calls
- * that function once, with phase VS_PHASE_LEAF. For an operation it calls the function twice: VS_PHASE_ENTER before the
+ * format draws. If the driver does not visit a node's children (a primitive, or a profile with its sweep), it calls the
+ * emit function once, with phase VS_PHASE_LEAF. For an operation it calls the function twice: VS_PHASE_ENTER before the
  * children and VS_PHASE_LEAVE after them.
  *
  * If a kind has no emit function, or the function returns VS_LOWER before it has written anything, the driver lowers
  * the node: it replaces the node by simpler kinds and tries again. It lowers a shared node once. The simpler kinds may
  * form a tree, which the driver walks in place of the node.
  *
- * An emit function never receives nodes that draw nothing: empty nodes, and nodes of a class that the format omits. The
- * driver replaces a union or difference with a single remaining operand by that operand.
+ * An emit function never receives nodes that draw nothing: empty nodes, and nodes of a class that the format omits. If
+ * a union or difference has a single operand that draws something, the driver writes only this operand.
  *
  * For a format with `define`, the driver makes templates of subtrees that occur at several places. It also makes
  * templates of the subtrees that lie deeper than VS_DEPTH_MAX. It writes each template once before the drawing, and
@@ -49,36 +49,39 @@ typedef vs_emit_status vs_emit_fn(vs_emitter *e, const vs_ref *ref, vs_phase pha
 /* Traits of a format: needs and abilities of its program. */
 typedef enum {
   VS_SHOWS_GHOSTS_IN_DRAFTS = 1 << 0, /* the format shows objects marked as `ghost` only in pictures of draft quality */
-  VS_KEEPS_ORIGINS = 1 << 1, /* the emitter records, for each line of the text, the place in the user's program from
-                              * which the line comes */
-  VS_PARTS_FLUSH = 1 << 2,   /* a pass first separates faces that lie in one plane (flush.h): the format's program
-                              * leaves thin skins when it cuts such solids */
-  VS_SHOWS_HULLS = 1 << 3,   /* the format shows hulls of solids as operations, and every other hull as one shape */
-  VS_DRAWS = 1 << 4,         /* the format makes drawings on sheets. It selects the scene's views and cuts the solids
-                              * itself (vs_lower_drawing); its function `solid` receives no solids */
-  VS_FRAMES = 1 << 5,        /* the format shows the model through a camera that is placed to show all of it */
+  VS_KEEPS_ORIGINS = 1 << 1, /* the emitter records the origin of each line of the text: the place in the user's
+                              * program */
+  VS_PARTS_FLUSH = 1 << 2,   /* a pass first separates solids whose faces lie in one plane (flush.h): the format's
+                              * program leaves thin skins when it cuts such solids */
+  VS_SHOWS_HULLS = 1 << 3,   /* the format writes hulls of solids as operations, and every other hull as one shape */
+  VS_DRAWS = 1 << 4,         /* the format is a drawing on sheets. It selects the scene's views and cuts the solids
+                              * itself (vs_lower_drawing); its function `solid` is not called with solids */
+  VS_FRAMES = 1 << 5,        /* the format shows the model through a camera, which is placed so that the whole model is
+                              * visible */
   VS_LOOSE = 1 << 6,         /* for a format with `solid` or `copies`: the driver first walks the objects that are not
                               * solids, and calls their functions in `emit` */
-  VS_INKS = 1 << 7,          /* a pass makes thin objects without a material dark (ink.h) */
-  VS_LAYS = 1 << 8,          /* the format's patterns are correct only on faces that no placement rotates (lay.h) */
-  VS_GROUPS = 1 << 9,        /* the driver first divides large unions into trees of boxes (vs_sets_group) */
+  VS_INKS = 1 << 7,          /* a pass gives a dark material to thin objects without a material (ink.h) */
+  VS_LAYS = 1 << 8,          /* the format draws patterns correctly only on faces that no placement rotates (lay.h) */
+  VS_GROUPS = 1 << 9,        /* the driver first divides large unions into groups of neighbouring parts
+                              * (vs_sets_group) */
   VS_AREA_SETS = 1 << 10,    /* the format's emit function receives unions and differences of regions; for other formats
                               * the driver first computes a single region */
-  VS_KEEPS_TEXT = 1 << 11,   /* the text of a node depends only on the values in its cache key, not on earlier output;
-                              * so the text can be cached for the next output */
-  VS_TURNS = 1 << 13,        /* --up y turns the drawing for this format, which prescribes no upward axis */
+  VS_KEEPS_TEXT = 1 << 11,   /* the text of a node depends only on the values in its cache key, not on earlier output,
+                              * so that it can be cached for the next output */
+  VS_TURNS = 1 << 13,        /* the option --up y rotates the drawing for this format, which prescribes no upward
+                              * axis */
   VS_VERBATIM = 1 << 12      /* the driver emits every node as it is, including empty nodes, and visits the children of
                               * all kinds */
 } vs_backend_trait;
 
 struct vs_backend {
   bool (*begin)(vs_emitter *e);
-  bool (*item)(vs_emitter *e, size_t index, bool end); /* called before and after the drawn object number `index`; may
-                                                        * be NULL */
+  bool (*item)(vs_emitter *e, size_t index, bool end); /* called before (end false) and after (end true) the drawn
+                                                        * object number `index`; may be NULL */
   bool (*end)(vs_emitter *e);
   void (*close)(vs_emitter *e); /* frees `state`, also after a failure; may be NULL */
-  /* Writes the beginning (open) or the end (!open) of template `id`, which counts from 1. A back-end has both `define`
-   * and `use`, or neither. */
+  /* Writes the beginning (open) or the end (!open) of the template with number `id`, counted from 1. A back-end has
+   * both `define` and `use`, or neither. */
   bool (*define)(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open);
   bool (*use)(vs_emitter *e, uint32_t id, const vs_ref *ref);
   /* Writes the union of the drawing's solids, for formats that contain only triangles; the driver then does not walk
@@ -88,23 +91,22 @@ struct vs_backend {
                                                                  * each group of equal parts is stored once. A back-end
                                                                  * has `copies` or `solid`, not both. */
   vs_numbers numbers;
-  bool objects; /* true if the mesh of all solids keeps the faces of different objects separate */
+  bool objects; /* whether the mesh of all solids keeps the faces of different objects separate */
   /* Runs a worker program on the written text. NULL: the text itself is the output. */
   bool (*render)(vs_emitter *e, const char *text_path, const char *output_path);
-  /* Writes the files beside e->path (such as an .mtl) after the text. NULL: the format has no such files. */
+  /* Writes further files beside the file e->path, such as an .mtl. NULL: the format has no such files. */
   bool (*beside)(vs_emitter *e);
   vs_mark_style highlights, ghosts; /* how the format shows the marks `highlight` and `ghost` (passes/sugar.h) */
-  const char *family;      /* additional name that several formats have in common; NULL: the format has only its own
-                            * names */
-  const char *native;      /* target of targets.def whose `native` text this format accepts; NULL: the format accepts no
-                            * such text */
+  const char *family;      /* additional name that several formats have in common, or NULL */
+  const char *native;      /* target of targets.def whose `native` text this format accepts, or NULL if it accepts
+                            * none */
   unsigned traits;      /* traits of the format: values of vs_backend_trait, joined by | */
   const char *omit[VS_MIXED]; /* omit[c]: warning, given once, that the format omits objects of class c; NULL: the
                                * format shows them */
   vs_emit_fn *shape;    /* emits the primitive solids that have no function in `emit`; NULL: the driver replaces them by
                          * simpler kinds */
-  /* fn: function that writes this kind. lossy: warning, given once, that the format shows this kind incompletely or
-   * inexactly; NULL: there is no loss */
+  /* fn: function that writes nodes of this kind. lossy: warning, given once, that the format shows this kind
+   * incompletely or inexactly; NULL: the format shows it exactly */
   struct { vs_emit_fn *fn; const char *lossy; } emit[VS_KIND_COUNT];
 };
 
@@ -119,9 +121,9 @@ static inline vs_emit_fn *vs_backend_writes(const vs_backend *b, const vs_node *
 #define VS_FORMAT(suffix, backend, name, worker, binary, doc) extern const vs_backend vs_backend_##backend;
 #include "backends/backends.def"
 
-/* The functions by kind for formats that show triangles and lines at their places. `leaf` writes triangles of solids
+/* The table `emit` for formats that contain triangles and lines with their positions. `leaf` writes triangles of solids
  * and thin objects, `line` writes polylines, `through` writes placements and paint, `boolean` lets the kernel combine
- * solids. The driver replaces all other kinds by simpler kinds: curves become polylines. */
+ * solids. The driver replaces all other kinds by simpler kinds, and curves by polylines. */
 #define VS_EMIT_SHAPES(leaf, line, through, boolean)                                                                   \
   .shape = (leaf),                                                                                                     \
   .emit = { [VS_LINE] = { line, NULL },                                                                                \
@@ -145,7 +147,8 @@ static inline vs_emit_fn *vs_backend_writes(const vs_backend *b, const vs_node *
             [VS_INTERSECTION] = { boolean, NULL },                                                                     \
             [VS_DIFFERENCE] = { boolean, NULL } }
 
-/* Writes another file, completely or not at all. While the function `fill` runs, e->out writes to that file. */
+/* Writes another file than e->path, completely or not at all. While the function `fill` runs, e->out writes to that
+ * file. */
 bool vs_emit_file(vs_emitter *e, const char *path, bool (*fill)(vs_emitter *e));
 
 #endif

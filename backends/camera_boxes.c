@@ -1,4 +1,4 @@
-/* Computes the bounds of a drawing: those that determine its fineness (the size of facets), and those that its camera
+/* Computes two bounds of a drawing: those that determine its fineness (the size of facets), and those that its camera
  * shows. */
 #include "backends/camera_boxes.h"
 
@@ -15,7 +15,7 @@ static void drive_include(vs_bounds *all, const vs_bounds *b) {
   all->max = vs_v3(fmax(all->max.x, b->max.x), fmax(all->max.y, b->max.y), fmax(all->max.z, b->max.z));
 }
 
-/* Returns true if the drawing contains text that the user wrote for this program (`native`). */
+/* Returns true if the drawing contains `native` text, which the user wrote for this format's program. */
 static bool drive_has_native(const vs_emitter *e) {
   for (size_t i = 0; i < e->drive->entry_count; i++)
     if (e->drive->entries[i].ref.node->kind == VS_NATIVE) return true;
@@ -23,8 +23,8 @@ static bool drive_has_native(const vs_emitter *e) {
 }
 
 /* Adds the bounds of a drawn object to e->boxes and to *all. For a union it adds the bounds of each part, up to `most`
- * boxes in total. Separate boxes of parts fit better: two boxes enclose a cross of two beams better than one box. If
- * budget is not NULL, the bounds are those of the material that remains after cuts; *budget limits the work for this
+ * boxes in total. Several boxes fit better than one, for example two boxes around a cross of two beams. If budget is
+ * not NULL, the bounds are those of the material that remains after cuts; *budget limits the work for this
  * (drawn_bounds.h). */
 static bool drive_boxes(vs_emitter *e, const vs_ref *ref, vs_bounds_memo *memo, size_t *budget, vs_bounds *all) {
   enum { most = 4096 };
@@ -49,8 +49,7 @@ static bool drive_boxes(vs_emitter *e, const vs_ref *ref, vs_bounds_memo *memo, 
     if (b.min.x > b.max.x) continue;
     if (e->box_count == 0) *all = b;
     else drive_include(all, &b);
-    if (e->box_count >= most) drive_include(&e->boxes[most - 1], &b); /* all further parts are included in the last
-                                                                       * box */
+    if (e->box_count >= most) drive_include(&e->boxes[most - 1], &b); /* the last box also encloses all further parts */
     else e->boxes[e->box_count++] = b;
   }
   return true;
@@ -66,7 +65,7 @@ bool vs_drive_frame(vs_emitter *e) {
         !drive_boxes(e, &e->scene->drawn[i], &e->drive->bounds, &budget, &e->framed))
       return false;
   if (e->box_count > 0) return true;
-  e->box_count = wide > 0; /* cuts remove the whole drawing, so the camera shows the bounds of the operands */
+  e->box_count = wide > 0; /* the cuts remove the whole drawing, so the camera shows the bounds of the uncut operands */
   e->boxes[0] = e->framed = e->bounds;
   return true;
 }

@@ -40,8 +40,9 @@ static bool drive_op_vain(const vs_emitter *e, const drive_entry *entry) {
   return one && (n->child_count == 0 || entry->first_vain);
 }
 
-/* Adds the data of a child to its parent's entry in the plan, after the child's own children. NULL as child: it has no
- * entry. The parameter vain: the child draws nothing. The parameter first: it is the first child. */
+/* Adds the data of a child to its parent's entry in the plan, after the child's own children were visited. child:
+ * the child's entry, or NULL if it has none. vain: whether the child draws nothing. first: whether it is the first
+ * child. */
 static void drive_plan_add(drive_entry *parent, const drive_entry *child, bool vain, bool first) {
   uint32_t height = child == NULL || child->cut ? 1 : child->height;
   if (height > parent->height) parent->height = height;
@@ -60,8 +61,8 @@ static bool drive_plan_omitted(vs_emitter *e, const vs_ref *ref) {
   return vs_emit_warn_once(e, ref, e->backend->omit[n->class_]);
 }
 
-/* Plans a reference to a node: counts a use of its entry. A new entry is pushed on the stack, and is added to its
- * parent when it is popped. */
+/* Plans a reference to a node: counts a use in the node's entry. A new entry is pushed on the stack; when it is popped,
+ * its data are added to its parent. */
 static bool drive_plan_meet(vs_emitter *e, const vs_ref *ref, bool operation, size_t parent, bool first) {
   vs_drive *d = e->drive;
   bool found;
@@ -118,7 +119,7 @@ static bool drive_plan_children(vs_emitter *e, drive_step *step, bool *pushed) {
   while (step->next < n->child_count) {
     const vs_ref *child = vs_node_next(n, step->next++);
     bool operation = drive_is_operation(e, child->node), first = step->next == 1;
-    if (child->node->refs < 2 && !operation) { /* the child is planned at once, without an entry */
+    if (child->node->refs < 2 && !operation) { /* plans the child at once, without an entry */
       if (!drive_plan_omitted(e, child)) return false;
       drive_plan_add(&d->entries[index], NULL, drive_leaf_vain(e, child->node), first);
       if ((++d->ticks & 0xfff) == 0 && !vs_emit_progress(e, "writing", -1)) return false;
@@ -148,13 +149,14 @@ static bool drive_plan_below(vs_emitter *e, const vs_ref *ref) {
   return true;
 }
 
-/* Marks the nodes inside intersections and differences. Visits parents before children. */
+/* Sets the flag `carved` of the entries of all nodes inside intersections and differences. Visits parents before
+ * children. */
 static void drive_plan_carved(vs_emitter *e) {
   vs_drive *d = e->drive;
   for (size_t i = d->order_count; i-- > 0;) {
     const drive_entry *entry = &d->entries[d->order[i]];
     const vs_node *n = entry->ref.node;
-    /* emit functions read the mark `carved` only of operations and their operands, so other nodes are skipped */
+    /* emit functions read the flag `carved` only of operations and their operands, so other nodes are skipped */
     if (!drive_is_operation(e, n) || !(n->flags & VS_NODE_CARVED)) continue;
     if (!entry->carved && n->kind != VS_INTERSECTION && n->kind != VS_DIFFERENCE) continue;
     for (uint32_t k = 0; k < n->child_count; k++) {

@@ -11,7 +11,7 @@
 #include "model/store/nodemap.h"
 
 typedef struct {
-  vs_ref ref;           /* first reference to the node */
+  vs_ref ref;           /* the first reference to the node that the plan has found */
   uint32_t uses, height; /* uses: number of references to the node. height: number of nested levels in its text; for an
                           * operation whose children are being visited, the greatest height of a child so far */
   uint32_t shown;       /* number of children of an operation that draw something */
@@ -23,7 +23,7 @@ typedef struct {
   bool bare, painted;   /* bare: true if some part of the node has no material of its own. painted: true if some part
                          * has a material of its own */
   bool layered;         /* true if some part of the node has a layer of its own */
-  bool carved;          /* true if the node occurs inside an intersection or a difference */
+  bool carved;          /* whether the node occurs inside an intersection or a difference */
   vs_node *lowered;     /* simpler kinds that replace the node, retained, or NULL */
   vs_solid *mesh;
 } drive_entry;
@@ -34,14 +34,14 @@ typedef struct { size_t entry; uint32_t next; } drive_step;
 typedef struct {
   vs_ref ref;
   size_t next, shown;   /* next: index of the next child to visit. shown: number of children passed to the emitter */
-  size_t asked;         /* children before this index need no further search for cached text */
+  size_t asked;         /* children before this index were already searched in the cache of text */
   const vs_material *material;
   const char *layer;
   vs_affine placement;
   vs_bounds reach;
   bool in_boolean;
-  bool silent;          /* true if this is an operation with a single remaining operand, so that only the operand is
-                         * written */
+  bool silent;          /* whether this is an operation with a single operand that draws something, so that only the
+                         * operand is written */
 } drive_frame;
 
 struct vs_drive {
@@ -69,10 +69,10 @@ struct vs_drive {
   const char **said;    /* addresses of the warnings that were already given */
   size_t said_count, said_room;
   vs_bounds_memo bounds;
-  vs_solid scratch; /* mesh of a node without an entry, valid until the next call */
+  vs_solid scratch; /* mesh of a node without an entry, valid until the next such mesh is computed */
   uint32_t ticks;
   vs_reuse reuse;       /* cache of the text of earlier outputs (reuse.h) */
-  size_t run_frames, run_until; /* the cached sequence of shapes that is being written. run_frames: number of open
+  size_t run_frames, run_until; /* for the cached sequence of shapes that is being written. run_frames: number of open
                                  * frames at its beginning. run_until: index of the child before which it ends */
   size_t run_line, run_first;   /* run_line: first line of the cached sequence that is being written. run_first: number
                                  * of recorded line origins before it */
@@ -95,8 +95,8 @@ static inline bool drive_is_operation(const vs_emitter *e, const vs_node *n) {
   return e->drive->operation[n->kind];
 }
 
-/* Data of a node that are equal at all its places. entry: NULL for a leaf with a single reference. operation: the
- * driver visits the node's children. vain: the node draws nothing. */
+/* Data of a node that are equal at all its places. entry: NULL for a leaf with a single reference. operation: whether
+ * the driver visits the node's children. vain: whether the node draws nothing. */
 typedef struct { drive_entry *entry; bool operation, vain; } drive_view;
 
 static inline bool drive_leaf_vain(const vs_emitter *e, const vs_node *n) {
@@ -138,7 +138,7 @@ static inline drive_entry *drive_find(const vs_emitter *e, const vs_node *n) {
 
 /* ---- emitter.c ---- */
 
-/* Records that the text from this line on comes from this origin. Returns false if memory is out. */
+/* Records that the text from line number `line` on has this origin. Returns false if memory is out. */
 bool vs_drive_mark(vs_emitter *e, uint32_t line, const vs_origin *origin);
 
 #endif

@@ -102,8 +102,8 @@ bool vs_drive_scene(vs_emitter *e) {
     vs_solid_copies_free(&parts);
     return ok && e->backend->end(e);
   }
-  double share = 1 / ((double)e->scene->drawn_count + 1); /* fraction of the progress for each object; the templates are
-                                                           * the first of these parts */
+  double share = 1 / ((double)e->scene->drawn_count + 1); /* fraction of the progress for each object; the templates
+                                                           * count as one more object */
   vs_job_part(e->job, 0, share);
   if (!drive_definitions(e)) return false;
   const vs_run_row drawn = { NULL, e->scene->drawn, e->scene->drawn_count, false };
@@ -144,8 +144,7 @@ const vs_solid *vs_emit_mesh(vs_emitter *e, const vs_ref *ref) {
       return entry->mesh;
     }
   }
-  vs_solid_free(&e->drive->scratch); /* frees the mesh here, also if it could not be stored in the cache, which would
-                                      * cost only time */
+  vs_solid_free(&e->drive->scratch); /* frees the mesh here; a mesh that is missing from the cache costs only time */
   e->drive->scratch = made;
   return &e->drive->scratch;
 }

@@ -4,8 +4,8 @@
 
 #include "backends/backend.h"
 
-/* Writes the format's beginning, the templates, the drawing and the format's end. Returns false on failure; e's error
- * or the writer has the reason. Call vs_drive_free also after a failure. */
+/* Writes the format's beginning, the templates, the drawing and the format's end. Returns false on failure; the error
+ * of e or of its writer has the reason. Call vs_drive_free even after a failure. */
 bool vs_drive_scene(vs_emitter *e);
 void vs_drive_free(vs_emitter *e);
 

@@ -97,7 +97,7 @@ bool vs_emit_put_material_number(vs_emitter *e, const vs_material *m) {
 
 bool vs_drive_mark(vs_emitter *e, uint32_t line, const vs_origin *origin) {
   vs_drive *d = e->drive;
-  /* the origin of a recorded line is valid for all lines up to the next recorded line */
+  /* the origin of a recorded line is valid up to the next recorded line */
   if (d->line_count > 0 && d->lines[d->line_count - 1].origin == origin) return true;
   if (d->line_count > 0 && d->lines[d->line_count - 1].line == line) {
     d->lines[d->line_count - 1].origin = origin;

@@ -1,5 +1,5 @@
-/* Chooses the views of a drawing: the view of the option --view, the view that the file's name ends with, or the views
- * that every model has. */
+/* Chooses the views of a drawing: the view of the option --view, or the view with whose name the file's name ends, or
+ * the views that every model has. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -8,7 +8,7 @@
 
 double vs_drawing_unit(const vs_scene *scene) { return 1000 * vs_scene_metres(scene); }
 
-/* Makes a plan's horizontal cut: 1.2 m above the ground if the model reaches more than 1.5 m above it, otherwise 1.2 m
+/* Sets a plan's horizontal cut: 1.2 m above the ground if the model reaches more than 1.5 m above it, otherwise 1.2 m
  * above the model's lowest point. */
 static void cut_plan(const vs_emitter *e, vs_scene_view *v) {
   const vs_scene *scene = e->scene;
@@ -18,14 +18,14 @@ static void cut_plan(const vs_emitter *e, vs_scene_view *v) {
   v->cut_point = vs_v3(0, 0, low + 1.2 * metre), v->cut_normal = vs_v3(0, 0, -1);
 }
 
-/* Makes a vertical cut through the centre of the model, seen from the front. */
+/* Sets a vertical cut through the centre of the model, seen from the front. */
 static void cut_section(const vs_emitter *e, vs_scene_view *v) {
   vs_vec3 middle = vs_v3_scale(vs_v3_add(e->bounds.min, e->bounds.max), 0.5);
   v->cut_point = middle, v->cut_normal = vs_v3(0, 1, 0);
   v->eye = middle, v->target = vs_v3_add(middle, v->cut_normal);
 }
 
-/* The views that every model has. whole: true if the sheet of all views contains the view. */
+/* The views that every model has. whole: whether the sheet of all views contains the view. */
 static const struct { const char *name; vs_view view; vs_cut cut; bool whole; } own[] = {
   { "plan", VS_VIEW_TOP, VS_CUT_OWN, true },       { "section", VS_VIEW_ALONG, VS_CUT_PLANE, true },
   { "front", VS_VIEW_FRONT, VS_CUT_NONE, true },   { "right", VS_VIEW_RIGHT, VS_CUT_NONE, true },
@@ -50,7 +50,8 @@ static bool add(vs_emitter *e, vs_flat_view **out, size_t *count, size_t *room, 
   return true;
 }
 
-/* Finds the model's view with this name, or else the view of this name that every model has. */
+/* Sets *out to the model's view with this name, or else to the view of this name that every model has. Returns false if
+ * there is neither. */
 static bool find(const vs_emitter *e, const char *name, vs_scene_view *out) {
   const vs_scene_view *v = vs_scene_find_view(e->scene, name);
   if (v) return *out = *v, true;
@@ -59,7 +60,7 @@ static bool find(const vs_emitter *e, const char *name, vs_scene_view *out) {
   return false;
 }
 
-/* Copies the file's name without folders and suffix. */
+/* Copies the file's name, without folders and suffix, to `out`. */
 static void stem(const char *path, char *out, size_t room) {
   const char *slash = path ? strrchr(path, '/') : NULL, *base = slash ? slash + 1 : path ? path : "";
   const char *dot = strrchr(base, '.');
@@ -67,8 +68,8 @@ static void stem(const char *path, char *out, size_t room) {
   snprintf(out, room, "%.*s", (int)(length < room ? length : room - 1), base);
 }
 
-/* Finds the view whose name ends the file's name, after a blank, a hyphen, an underscore or a dot: "house-section
- * A". */
+/* Sets *out to the view with whose name the file's name ends, after a blank, a hyphen, an underscore or a dot, as in
+ * "house-section A". Returns false if there is none. */
 static bool find_at_end(const vs_emitter *e, const char *base, vs_scene_view *out) {
   for (const char *at = base; *at; at++)
     if (strchr("-_. ", *at) && at[1] && find(e, at + 1, out)) return true;

@@ -4,7 +4,7 @@
 
 #include "backends/drawing/flat_view.h"
 
-/* Chooses the views to draw; the caller frees them with vs_emit_release. Returns false on failure, with e's error
+/* Sets *out to the views to draw; the caller frees them with vs_emit_release. Returns false on failure, with e's error
  * set. */
 bool vs_drawing_choose(vs_emitter *e, vs_flat_view **out, size_t *count, size_t *room);
 /* Returns the length of a model unit in millimetres. */

@@ -1,4 +1,4 @@
-/* Contains the back-ends of the drawing formats .svg, .pdf and .dxf, which write the same sheet. See sheet.h. */
+/* Contains the back-ends of the drawing formats .svg, .pdf and .dxf, which write the same sheet (sheet.h). */
 #include "backends/drawing/choose_views.h"
 #include "backends/drawing/dxf.h"
 #include "backends/drawing/pdf.h"

@@ -17,21 +17,22 @@ typedef struct {
   double mm;
   vs_sheet_point shift;
   unsigned handle;
-  const vs_scene *scene; /* the drawn scene, which has the pens of the layers */
+  const vs_scene *scene; /* the drawn scene, which contains the pens of the program's layers */
 } writing;
 
 /* ---- layers of the program ---- */
 
 enum { NAME = 250 };
 
-/* Writes the name of the program's layer `own` as DXF allows: some signs become underscores. The name is cut to the
- * length of a line. */
+/* Writes the name of the program's layer `own` as DXF allows: underscores replace signs that are not allowed. A name
+ * longer than a line of the file is shortened. */
 static const char *own_name(const writing *out, uint32_t own, char name[NAME]) {
   snprintf(name, NAME, "%.*s", (int)vs_character_cut(out->s->layers[own - 1], NAME - 10), out->s->layers[own - 1]);
   return vs_dxf_name(name);
 }
 
-/* Returns the number of the drawing's own layer with this name, or VS_DRAWN_LAYERS if there is none. */
+/* Returns the number of the drawing's own layer (vs_drawn_layer) with this name, or VS_DRAWN_LAYERS if there is
+ * none. */
 static int drawn_named(const char *name) {
   int i = 0;
   while (i < VS_DRAWN_LAYERS && strcasecmp(vs_drawn_rows[i].name, name) != 0) i++;
@@ -53,7 +54,7 @@ static const vs_scene_pen *own_pen(const writing *out, uint32_t own) {
   return vs_scene_find_pen(out->scene, out->s->layers[own - 1]);
 }
 
-/* Returns the pen of the drawing's layer i: the pen that the program sets for a layer with this name, or NULL. */
+/* Returns the pen that the program has set for a layer with the name of the drawing's layer i, or NULL. */
 static const vs_scene_pen *drawn_pen(const writing *out, unsigned i) {
   char name[NAME];
   const vs_scene_pen *pen = NULL;
@@ -91,7 +92,7 @@ static void line_type(const writing *out, unsigned handle, const vs_layer_row *r
   }
 }
 
-/* Writes a row of the table of layers; pen may be NULL. */
+/* Writes a row of the table of layers. pen: the program's pen for the layer, or NULL. */
 static void layer_row(const writing *out, unsigned handle, const char *name, const vs_layer_row *r,
                       const vs_scene_pen *pen) {
   vs_writer *w = out->w;
@@ -253,8 +254,8 @@ static void put_fill(writing *out, const vs_mark *m) {
   code_int(w, 98, 0);
 }
 
-/* Writes a text that is too long for one line of the file. Its lower edge is on the base line. It is therefore higher
- * than other text by the depth of the letter p. */
+/* Writes a text that is too long for one line of the file, as MTEXT. Its lower edge is on the base line, so that it is
+ * placed higher than other text by the depth of the letter p. */
 static void put_long_text(writing *out, const vs_mark *m, int align) {
   enum { BOTTOM_LEFT = 7 };
   vs_writer *w = out->w;
@@ -266,7 +267,7 @@ static void put_long_text(writing *out, const vs_mark *m, int align) {
   code_real(w, 40, m->size / out->mm);
   code_real(w, 41, 0); /* width of the text box; 0 means no limit */
   code_int(w, 71, BOTTOM_LEFT + align);
-  code_int(w, 72, 1); /* direction of the text: from left to right */
+  code_int(w, 72, 1); /* the text runs from left to right */
   vs_dxf_long_text(w, m->text);
   code_real(w, 11, cos(turn));
   code_real(w, 21, sin(turn));

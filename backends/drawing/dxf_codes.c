@@ -8,9 +8,9 @@
 
 enum { DXF_CHARACTER = 12, DXF_LINE = 250 /* greatest number of bytes of text on a line; a longer text is an MTEXT */ };
 
-/* Writes the character at *text into `as`, as this DXF version spells it. A character outside ASCII becomes \U+00E9,
- * with room for four digits. A caret is escaped. A backslash is escaped before U+ or M+, where it would begin an
- * escape. Returns the number of bytes; *text moves to the next character. */
+/* Writes the character at *text into `as`, as this DXF version spells it. A character outside ASCII becomes \U+ and
+ * four hexadecimal digits. A caret is escaped, and a backslash before U+ or M+, where it would begin an escape. Returns
+ * the number of bytes; *text moves to the next character. */
 static size_t text_character(const char **text, char as[DXF_CHARACTER]) {
   enum { ENOUGH = 16 }; /* number of bytes that suffices for any character */
   char spelled[VS_SPELLED_ROOM + 1];
@@ -67,20 +67,20 @@ char *vs_dxf_name(char *name) {
 
 /* ---- colours and units ---- */
 
-/* Indices 1 to 9 are pure colours.
- * From 10 on, there are 24 hues in five shades, full and pale. From 250 on, there are greys. */
+/* Indices 1 to 9 are pure colours. Indices from 10 on are 24 hues in five shades, each full and pale; indices from 250
+ * on are greys. */
 int vs_dxf_colour_index(const double rgb[3]) {
   static const double pure[9][3] = { { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 1, 1 }, { 0, 0, 1 },
                                      { 1, 0, 1 }, { 1, 1, 1 }, { .5, .5, .5 }, { .75, .75, .75 } };
   static const double shades[5] = { 1, 0.65, 0.5, 0.3, 0.15 };
   int best = 7;
-  double least = rgb[0] * rgb[0] + rgb[1] * rgb[1] + rgb[2] * rgb[2]; /* black has index 7, too, because index 7 is
-                                                                       * drawn black on white paper */
+  double least = rgb[0] * rgb[0] + rgb[1] * rgb[1] + rgb[2] * rgb[2]; /* index 7 is also black: on white paper it is
+                                                                       * drawn black */
   for (int i = 1; i < 256; i++) {
     double c[3];
     for (int k = 0; k < 3; k++) {
-      double hue = fmod((i / 10 - 1) * 15 / 60. - 2 * k + 9, 6) - 3; /* 0: the component k has its full value in this
-                                                                      * hue */
+      double hue = fmod((i / 10 - 1) * 15 / 60. - 2 * k + 9, 6) - 3; /* distance from the hue at which the component k
+                                                                      * has its full value; 0 there */
       double full = fmin(1, fmax(0, 2 - fabs(hue))), shade = shades[i % 10 / 2];
       c[k] = i < 10 ? pure[i - 1][k] : i >= 250 ? 0.2 + 0.16 * (i - 250) : shade * (i % 2 ? (1 + full) / 2 : full);
     }

@@ -1,5 +1,5 @@
-/* Contains the group codes of .dxf, and the rows of its tables, blocks and dictionaries, for the files that write the
- * format. A group is a code and a value, each on a line. */
+/* Contains functions that write group codes of .dxf, and rows of its tables, blocks and dictionaries. A group is a code
+ * and a value, each on a line. */
 #ifndef VS_BACKENDS_DRAWING_DXF_CODES_H
 #define VS_BACKENDS_DRAWING_DXF_CODES_H
 
@@ -10,16 +10,16 @@
 /* FIRST_HANDLE: first handle of a drawn object; tables have lower handles. */
 enum { FIRST_HANDLE = 0x100, MODEL_SPACE = 0x1f, PAPER_SPACE = 0x1e, ROOT = 0xc, GROUPS = 0xd };
 
-void vs_dxf_text(vs_writer *w, int number, const char *text); /* writes a text, cut to a line of the file */
+void vs_dxf_text(vs_writer *w, int number, const char *text); /* writes a text, shortened to a line of the file */
 bool vs_dxf_text_is_short(const char *text);                  /* returns true if the text fits on one line of the
                                                                * file */
 /* Writes the text of an MTEXT. Each line has the group code 3, except the last. */
 void vs_dxf_long_text(vs_writer *w, const char *text);
-/* Replaces signs by underscores that a name of DXF cannot contain, in place. Returns the name. */
+/* Replaces, in place, characters that a name of DXF cannot contain by underscores. Returns the name. */
 char *vs_dxf_name(char *name);
-/* Returns the index of the colour in DXF's table that is nearest to the colour. */
+/* Returns the index of the colour in DXF's table that is nearest to the colour rgb. */
 int vs_dxf_colour_index(const double rgb[3]);
-long vs_dxf_unit(const char *unit); /* returns the value of $INSUNITS, or 0 for an unknown unit */
+long vs_dxf_unit(const char *unit); /* returns the value of $INSUNITS for a unit's name, or 0 for an unknown unit */
 
 /* ---- groups ---- */
 

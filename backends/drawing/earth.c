@@ -10,10 +10,10 @@
 #include "geometry/plane/earth_areas.h"
 #include "geometry/plane/slice.h"
 
-typedef vs_vec2 directed[2]; /* a directed edge */
+typedef vs_vec2 directed[2]; /* an edge from the first point to the second */
 typedef struct { directed *at; size_t count, room; } edge_list;
 
-/* Adds the triangles of a plane area to the mesh. `axes` are the directions of the area's x and y, `at` is the
+/* Adds the triangles of a plane area to the mesh `out`. axes: directions of the area's x and y; at: position of its
  * origin. */
 static bool add_area(vs_emitter *e, const vs_area *a, const vs_vec3 axes[2], vs_vec3 at, vs_mesh *out) {
   bool ok = true;
@@ -63,8 +63,8 @@ static bool add_earth_fill(vs_emitter *e, vs_flat_view *v, const vs_area *a) {
   return ok;
 }
 
-/* Computes the earth in the plane of a section, or of a plan that is cut below the ground. The earth reaches beyond the
- * model by a fraction of the model's size. */
+/* Computes the area of earth in the plane of a section, or of a plan that is cut below the ground. The earth extends
+ * beyond the model by a fraction of the model's size. */
 static bool earth_in_section(vs_emitter *e, vs_flat_view *v, const vs_earth_model *m, double ground, vs_area *out) {
   static const double border = 0.06;
   vs_vec2 box[2] = { { INFINITY, INFINITY }, { -INFINITY, -INFINITY } };
@@ -104,15 +104,15 @@ static bool section(vs_emitter *e, vs_flat_view *v, const vs_earth_model *m, vs_
 
 /* ---- views from above ---- */
 
-/* Returns the point of the edge between two corners, one above and one below the ground, at the height of the ground.
- * The result does not depend on the order of the corners. */
+/* Returns the point at the height of the ground on the edge from a to b, of which one is above and one below the
+ * ground. The result does not depend on the order of a and b. */
 static vs_vec2 on_ground(vs_vec3 a, vs_vec3 b, double ground) {
   vs_vec3 low = a.z < b.z ? a : b, high = a.z < b.z ? b : a;
   double t = (ground - low.z) / (high.z - low.z);
   return (vs_vec2){ low.x + t * (high.x - low.x), low.y + t * (high.y - low.y) };
 }
 
-/* Collects the edges in which the solids cross the ground. */
+/* Collects the edges in which the solids intersect the plane of the ground. */
 static bool footprint(vs_emitter *e, const vs_flat_view *v, const vs_earth_model *m, edge_list *out) {
   double ground = e->scene->ground_z;
   bool ok = true;
@@ -137,7 +137,7 @@ static bool footprint(vs_emitter *e, const vs_flat_view *v, const vs_earth_model
   return ok;
 }
 
-/* Keeps the part of the mesh on the side of a plane to which the normal points. */
+/* Removes the part of the mesh on the side of a plane from which the normal points away. */
 static bool keep_side(vs_emitter *e, vs_mesh *mesh, vs_vec3 point, vs_vec3 normal) {
   vs_mesh kept = { 0 };
   bool ok = vs_slice_mesh(mesh, point, normal, &kept);
@@ -146,7 +146,8 @@ static bool keep_side(vs_emitter *e, vs_mesh *mesh, vs_vec3 point, vs_vec3 norma
   return ok || vs_emit_no_memory(e);
 }
 
-/* Returns a box on the ground that contains every line of sight from the viewer to the model below the ground. */
+/* Sets `box` to opposite corners of a rectangle on the ground that every line of sight from the viewer to the model
+ * below the ground intersects. */
 static void ground_box(const vs_emitter *e, const vs_flat_view *v, vs_vec2 box[2]) {
   const vs_look *l = &v->look;
   vs_bounds b = e->bounds;
@@ -156,7 +157,7 @@ static void ground_box(const vs_emitter *e, const vs_flat_view *v, vs_vec2 box[2
   box[0] = (vs_vec2){ b.min.x - more, b.min.y - more }, box[1] = (vs_vec2){ b.max.x + more, b.max.y + more };
 }
 
-/* Keeps the part of the edge from p to q on the side of a plane to which the normal points. Returns false if nothing
+/* Shortens the edge from p to q to its part on the side of a plane to which the normal points. Returns false if nothing
  * remains. */
 static bool clip(vs_vec3 *p, vs_vec3 *q, vs_vec3 point, vs_vec3 normal) {
   double a = vs_v3_dot(vs_v3_sub(*p, point), normal), b = vs_v3_dot(vs_v3_sub(*q, point), normal);
@@ -167,8 +168,8 @@ static bool clip(vs_vec3 *p, vs_vec3 *q, vs_vec3 point, vs_vec3 normal) {
   return true;
 }
 
-/* Adds the edges where walls rise from the ground: the borders of the area `a` of earth, except the sides of the box on
- * the ground. */
+/* Adds the edges in which walls rise from the ground: the borders of the area `a` of earth, except the sides of the
+ * rectangle on the ground. */
 static bool add_feet(vs_emitter *e, const vs_flat_view *v, const vs_earth_model *m, const vs_area *a,
                      vs_sight_edges *out) {
   const vs_look *l = &v->look;
@@ -212,7 +213,7 @@ static bool from_above(vs_emitter *e, vs_flat_view *v, const vs_earth_model *m, 
 
 /* ---- elevations ---- */
 
-/* Adds to `veil` a rectangle in front of the model, below the ground, which hides everything behind it. */
+/* Adds to `veil` a rectangle in front of the part of the model below the ground. It hides everything behind it. */
 static bool elevation(vs_emitter *e, const vs_flat_view *v, const vs_earth_model *m, vs_mesh *veil) {
   double far = vs_bounds_diagonal(&e->bounds), front = INFINITY;
   double ground = vs_look_to_view(&v->look, vs_v3(0, 0, e->scene->ground_z)).y;

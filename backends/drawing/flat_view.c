@@ -1,4 +1,4 @@
-/* Makes a flat view of the model: cuts the model, projects it, joins its lines and outlines its cut faces.
+/* Computes a flat view of the model: cuts the model, projects it, joins its lines and outlines its cut faces.
  *
  * The kernel makes the cut: it subtracts a half-space without a material from the model, so the cut faces have the
  * material of the cut solid (passes/cut_away.h). The cut faces are the triangles of the result that lie in the plane of
@@ -14,7 +14,7 @@
 #include "model/store/patient_sort.h"
 #include "solids/sight_edges.h"
 
-/* The contents of the view while it is made, in the view's coordinates. */
+/* The contents of the view while it is computed, in the view's coordinates. */
 typedef struct {
   vs_emitter *e;
   vs_flat_view *v;
@@ -31,8 +31,8 @@ typedef struct {
   size_t owner_room;
   size_t point_count, point_room, triangle_count, triangle_room, paint_room, cap_room, object_room;
   size_t closed;       /* number of triangles of solids, which precede all other triangles */
-  double slack, nearest; /* slack: tolerance of lengths. nearest: in a perspective view, the distance in front of the
-                          * eye at which everything is clipped */
+  double slack, nearest; /* slack: lengths up to this count as zero. nearest: in a perspective view, the distance in
+                          * front of the eye at which everything is clipped */
   vs_sight_edges edges;
   vs_sight_pieces pieces;
 } seen;
@@ -79,8 +79,8 @@ static bool add_triangles(seen *s, const vs_mesh *m, const vs_solid *solid, cons
     const uint32_t *t = m->triangles[i];
     uint32_t tag = m->tags ? m->tags[i] : 0;
     size_t at = s->triangle_count;
-    bool lid = !s->v->look.parallel; /* lid: true if the triangle lies in the plane just in front of the eye, by which a
-                                      * perspective view is clipped */
+    bool lid = !s->v->look.parallel; /* lid: whether the triangle lies in the clipping plane of a perspective view, just
+                                      * in front of the eye */
     for (int k = 0; k < 3; k++) s->triangles[at][k] = (uint32_t)base + t[2 - k];
         /* The view's coordinates are left-handed, so the triangle's corners are reversed. */
     for (int k = 0; k < 3; k++) lid = lid && s->points[base + t[k]].z <= s->nearest + 4 * s->slack;
@@ -102,13 +102,13 @@ static bool add_triangles(seen *s, const vs_mesh *m, const vs_solid *solid, cons
   return true;
 }
 
-static bool add_curve_edge(seen *s, vs_vec3 p, vs_vec3 q) { /* adds an edge of the current curve from p to q */
+static bool add_curve_edge(seen *s, vs_vec3 p, vs_vec3 q) { /* adds an edge of the current curve, from p to q */
   if (s->edges.count == s->edges.room && !vs_store_grow(s->host.store, &s->edges.at, &s->edges.room,
       s->edges.count + 1, sizeof *s->edges.at))
     return vs_emit_no_memory(s->e);
   double slack = fmax(s->slack, 4 * s->e->facets.tolerance);
-      /* A curve on a round surface: its chords lie slightly inside the surface. Therefore the edge has a slack, within
-       * which the surface does not hide it. */
+      /* A curve on a round surface is drawn by chords that lie slightly inside the surface. Therefore its edges have a
+       * slack: a surface that is closer to an edge than this does not hide it. */
   s->edges.at[s->edges.count++] = (vs_sight_edge){ vs_look_to_view(&s->v->look, p), vs_look_to_view(&s->v->look, q),
       VS_SIGHT_CURVE, slack, s->curve_owner };
   return true;
@@ -169,7 +169,7 @@ static bool add_loose(seen *s, const vs_loose *l) {
 
 enum { CUT_DEPTH = 2 }; /* depth of the drawn objects below the node of cut_node */
 
-/* Makes a node for all solids of the drawing minus the half-spaces beyond the planes. */
+/* Returns a node for all solids of the drawing minus the half-spaces beyond the planes. */
 static vs_node *cut_node(vs_emitter *e, const vs_vec3 (*planes)[2], size_t count) {
   const vs_scene *scene = e->scene;
   vs_ref operands[3];
@@ -194,8 +194,8 @@ static bool has_solids(const vs_scene *scene) {
   return any;
 }
 
-/* Adds the solids. For a view with a cut, only the cut solids are made, because making the uncut solids of a city would
- * take longer than its plan. */
+/* Adds the solids. For a view with a cut, only the cut solids are computed: the uncut solids of a city would take
+ * longer than its plan. */
 static bool add_solids(seen *s, vs_flat_whole *whole) {
   vs_vec3 planes[2][2];
   size_t count = 0;
@@ -218,7 +218,7 @@ static bool add_solids(seen *s, vs_flat_whole *whole) {
   return ok;
 }
 
-/* ---- lines: pieces with a common end are joined, and pieces in a straight line are merged ---- */
+/* ---- lines: pieces with a common end are joined, and collinear pieces are merged ---- */
 
 static const vs_drawn_layer layer_of[VS_SIGHT_KINDS] = {
   [VS_SIGHT_CUT] = VS_DRAWN_CUT,     [VS_SIGHT_PARTING] = VS_DRAWN_PARTING, [VS_SIGHT_OUTLINE] = VS_DRAWN_OUTLINE,
@@ -251,8 +251,8 @@ typedef struct {
   tip *tips;
   uint32_t *slot;           /* slot[2 * i + k]: index in the sorted list of ends, where end k of segment i is found */
   bool *used;               /* used[i]: whether segment i is part of a line */
-  double slack;             /* greatest distance of a point from a straight line through its neighbours, in the view's
-                             * units */
+  double slack;             /* greatest distance of a point from the straight line through its neighbours at which the
+                             * point is omitted, in the view's units */
 } stretches;
 
 /* An end of a segment: end 0 is point a, end 1 is point b. */
@@ -262,9 +262,9 @@ static vs_sheet_point place_of(const stretches *s, stretch_end x) {
   return x.end ? s->all[x.stretch].b : s->all[x.stretch].a;
 }
 
-/* Finds the end of a segment that continues the line at end x: the only other end of the same layer at this position.
- * Returns false if there is no such end, or if there are several. For the first end in the list, i - 1 wraps to a
- * number above the last index, which the comparison also rejects. */
+/* Sets *next to the end of a segment that continues the line at end x: the only other end of the same layer at this
+ * position. Returns false if there is no such end, or if there are several. For the first end in the list, i - 1 wraps
+ * to a number above the last index, which the comparison also rejects. */
 static bool next_of(const stretches *s, stretch_end x, stretch_end *next) {
   size_t i = s->slot[2 * x.stretch + (uint32_t)x.end], count = 2 * s->count;
   bool before = same_place(s->tips, count, i - 1, i), after = same_place(s->tips, count, i + 1, i);
@@ -297,7 +297,7 @@ static bool extend(vs_emitter *e, vs_flat_view *v, size_t first, vs_sheet_point 
 }
 
 /* Adds the line that contains segment `start`. Goes back to the line's beginning, or once around a closed line, and
- * then follows the line forward. */
+ * then follows the line forwards. */
 static bool chain(vs_emitter *e, vs_flat_view *v, const stretches *s, uint32_t start) {
   stretch_end at = { start, 0 }, next;
   while (next_of(s, at, &next) && next.stretch != start) at = (stretch_end){ next.stretch, !next.end };
@@ -387,7 +387,8 @@ static int border_compare(const void *p, const void *q) {
   return a->b.y < b->b.y ? -1 : a->b.y > b->b.y;
 }
 
-/* Returns the index of the first unused border of this paint that begins at p, or count if there is none. */
+/* Returns the index of the first unused border of this paint (material's number) that begins at p, or count if there is
+ * none. */
 static size_t border_from(const border *all, size_t count, uint32_t paint, vs_sheet_point p) {
   size_t low = 0, high = count;
   border key = { p, { -INFINITY, -INFINITY }, paint, false };
@@ -429,8 +430,8 @@ static bool take_loop(seen *s, border *all, size_t count, size_t i, double slack
   return true;
 }
 
-enum { SEARCH_WORK = 200 }; /* estimated time of a search for a border in nanoseconds, for the check whether the user
-                             * interrupts (vs_store_going) */
+enum { SEARCH_WORK = 200 }; /* estimated time of a search for a border in nanoseconds, by which vs_store_going decides
+                             * when to test for an interrupt */
 
 static bool add_fills(seen *s) {
   vs_store *store = s->host.store;
@@ -469,7 +470,7 @@ static bool add_fills(seen *s) {
 
 /* ---- labels ---- */
 
-/* Returns true if a triangle lies between the viewer and this point of the view. */
+/* Returns true if a triangle lies between the viewer and the point p of the view. */
 static bool is_covered(const seen *s, vs_vec3 p) {
   for (size_t i = 0; i < s->triangle_count; i++) {
     vs_vec3 c[3];
@@ -486,8 +487,8 @@ static bool is_covered(const seen *s, vs_vec3 p) {
 }
 
 /* Finds the labels of the view. A cut removes the labels in the removed part. Elevations and sections show only labels
- * whose position is visible. Therefore a room's name does not appear on the front of the house. A label that names its
- * view always appears there. */
+ * whose position is visible. Therefore a room's name does not appear on the front of the house. A label with #:view
+ * always appears in the view that it names. */
 static bool find_labels(seen *s) {
   const vs_scene *scene = s->e->scene;
   vs_flat_view *v = s->v;

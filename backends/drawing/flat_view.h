@@ -19,7 +19,7 @@ extern const vs_layer_row vs_drawn_rows[VS_DRAWN_LAYERS];
 /* Space that notes need around a view, in millimetres on paper. */
 typedef struct { double left, right, below, above; } vs_sheet_room;
 
-/* ---- a flat view: in model units, in the view's own plane ---- */
+/* ---- a flat view: in model units, in the coordinates of the view's plane ---- */
 
 typedef struct {
   uint32_t first, count; /* first: index of the line's first point. count: number of its points */
@@ -32,7 +32,7 @@ typedef struct {
 typedef struct { uint32_t first_loop, loop_count; const vs_material *material; bool earth; } vs_flat_fill;
 
 typedef struct {
-  vs_scene_view spec;     /* specification of the view; spec.name is its name on the sheet */
+  vs_scene_view spec;     /* specification of the view by the program; spec.name is its name on the sheet */
   vs_look look;
   bool has_cut;           /* true if the view has a cut: the cut of spec, or a cut that the drawing chooses */
   vs_sheet_point *points;
@@ -40,20 +40,20 @@ typedef struct {
   vs_flat_fill *fills;
   struct { uint32_t first, count; } *loops;
   size_t point_count, point_room, line_count, line_room, fill_count, fill_room, loop_count, loop_room;
-  vs_sheet_point low, high; /* low, high: corners of the view's bounding box */
+  vs_sheet_point low, high; /* low, high: corners of the view's bounding box, in model units */
   double cut_area;        /* total area of the fills, in square model units */
   bool *labelled;         /* labelled[i]: whether the scene's note i is a label whose position is visible in the view;
                            * NULL: there are no such labels */
   /* Position on the sheet, set by sheet.c: a point of the view has the position at + (point - low) * mm, in
-   * millimetres. scale: number n of the scale 1:n. */
+   * millimetres. mm: millimetres on paper for a model unit. scale: number n of the scale 1:n. */
   double mm, scale;
   vs_sheet_point at;
   double title;           /* height of the title's base line on the sheet, in mm */
-  vs_sheet_room room;     /* space of the notes around the view, measured when mm had the value room_mm */
+  vs_sheet_room room;     /* space that the notes around the view need, measured when mm had the value room_mm */
   double room_mm;         /* value of `mm` for which `room` was measured; 0: it was not measured */
 } vs_flat_view;
 
-/* Data that all views of a drawing use: the uncut solids, which are made for the first view without a cut, and the
+/* Data that all views of a drawing use: the uncut solids, which are computed for the first view without a cut, and the
  * layers of the program. The caller frees both. */
 typedef struct {
   vs_solid solid;
@@ -63,8 +63,8 @@ typedef struct {
 } vs_flat_whole;
 bool vs_flat_view_make(vs_emitter *e, vs_flat_view *v, const vs_loose *loose, vs_flat_whole *whole);
 void vs_flat_view_free(vs_emitter *e, vs_flat_view *v);
-/* Returns the projection of a point of the model onto the view's plane. The view must be parallel, because a point
- * behind the eye of a perspective view has no projection. */
+/* Returns the projection of the point p of the model onto the view's plane. The projection must be parallel, because a
+ * point behind the eye of a perspective view has no image. */
 vs_sheet_point vs_flat_view_project(const vs_flat_view *v, vs_vec3 p);
 
 #endif

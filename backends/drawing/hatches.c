@@ -10,7 +10,7 @@ static const hatch rows[] = {
 #define HATCH(name, grey, angle, spacing, crossed) { name, grey, angle, spacing, crossed },
 #include "backends/drawing/hatches.def"
 };
-static const double earth_spacing = 2.5; /* distance of the earth's hatch lines in mm */
+static const double earth_spacing = 2.5; /* distance between the earth's hatch lines in mm */
 static const hatch plain = { "", 0.3, 0, 0, false };
 
 static const hatch *hatch_of(const vs_material *m) {
@@ -33,7 +33,7 @@ typedef struct {
   uint32_t first_loop, loop_count;
   double cosine, sine;      /* cosine and sine of the lines' angle */
   double spacing;           /* distance between neighbouring lines in mm */
-  double begin;             /* number of the first line that intersects the area's border */
+  double begin;             /* number of the first hatch line that intersects the area's border */
   crossings *lines;
   size_t count;
 } hatching;
@@ -41,9 +41,9 @@ typedef struct {
 static double across(const hatching *h, vs_sheet_point p) { return (p.y * h->cosine - p.x * h->sine) / h->spacing; }
 static double along(const hatching *h, vs_sheet_point p) { return p.x * h->cosine + p.y * h->sine; }
 
-/* Adds the points at which the side from p to q of the border crosses hatch lines. A side includes only one of its two
- * ends. A corner on a hatch line therefore counts once if the border crosses the line there. If the border turns back
- * at the corner, it counts twice or not at all. */
+/* Adds the intersections of hatch lines with the side from p to q of the area's border. A side includes only one of its
+ * two ends. A corner on a hatch line therefore counts once if the border crosses the line there. If the border turns
+ * back at the corner, it counts twice or not at all. */
 static bool cross_side(const hatching *h, vs_sheet_point p, vs_sheet_point q) {
   double a = across(h, p), b = across(h, q), u = along(h, p), w = along(h, q);
   for (double k = ceil(fmin(a, b)); k < fmax(a, b); k++) {
@@ -64,8 +64,8 @@ static bool cross_loops(const hatching *h) {
   return ok;
 }
 
-/* Draws the parts of hatch line i inside the area: from each odd crossing with the border to the next crossing. Omits
- * very short parts. */
+/* Draws the parts of hatch line i inside the area: from its first intersection with the border to the second, from the
+ * third to the fourth, and so on. Omits very short parts. */
 static bool draw_line(const hatching *h, size_t i) {
   const crossings *row = &h->lines[i];
   double c = h->cosine, n = h->sine, off = (h->begin + (double)i) * h->spacing;
@@ -81,7 +81,7 @@ static bool draw_line(const hatching *h, size_t i) {
 }
 
 /* Draws hatch lines at whole multiples of the spacing, so that they continue from face to face. The time is
- * proportional to the number of lines plus the number of their crossings with borders. */
+ * proportional to the number of lines plus the number of their intersections with borders. */
 static bool draw_lines(hatching *h) {
   vs_emitter *e = h->pen->e;
   const vs_sheet *s = h->pen->sheet;

@@ -1,10 +1,10 @@
 /* Draws the notes of a drawing: dimensions, labels, levels (marks of heights), axes, and the ground line in elevations
  * and sections.
  *
- * A note appears only in views that show its length or height correctly. A dimension needs a view that shows its length
- * unshortened; a level dimension needs a plan, or a section through both of its ends. A level needs a view that shows
- * heights. An axis appears on plans, and as a vertical line in views along it. Dimensions are next to the model.
- * Outside the dimensions are the levels on the left and the circles of axes below. */
+ * A note appears only in views that show its length or height correctly. A dimension appears in a view that shows its
+ * length unshortened; a horizontal dimension appears in a plan, or in a section through both of its ends. A level
+ * appears in a view that shows heights. An axis appears on plans, and as a vertical line in views along it. Dimensions
+ * are next to the model. Beyond the dimensions are the levels on the left and the circles of axes below. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -17,18 +17,18 @@ static const double bubble = 4, cap = 2.2, level_cap = 1.8; /* bubble: radius of
 static const double away = 9; /* distance from the model to a dimension, in mm */
 
 static bool is_upright(const vs_flat_view *v) { return v->look.parallel && fabs(v->look.forward.z) < 1e-6;
-    } /* true for elevations and sections, which look horizontally */
+    } /* whether the view looks horizontally: elevations and sections */
 static bool shows(const vs_flat_view *v, const vs_scene_note *n) { return v->look.parallel &&
     (!n->view || strcmp(n->view, v->spec.name) == 0); }
 
-/* Returns true if the cut has removed both ends of a dimension. */
+/* Returns true if the view's cut has removed both ends of the dimension n. */
 static bool is_removed(const vs_flat_view *v, const vs_scene_note *n, double slack) {
   const vs_scene_view *s = &v->spec;
   return v->has_cut && vs_v3_dot(vs_v3_sub(n->p, s->cut_point), s->cut_normal) < -slack &&
          vs_v3_dot(vs_v3_sub(n->q, s->cut_point), s->cut_normal) < -slack;
 }
 
-/* Returns true if both ends of a dimension lie in the plane of the view's cut. */
+/* Returns true if both ends of the dimension n lie in the plane of the view's cut. */
 static bool is_in_cut(const vs_flat_view *v, const vs_scene_note *n, double slack) {
   const vs_scene_view *s = &v->spec;
   return v->has_cut && fabs(vs_v3_dot(vs_v3_sub(n->p, s->cut_point), s->cut_normal)) <= slack &&
@@ -36,8 +36,8 @@ static bool is_in_cut(const vs_flat_view *v, const vs_scene_note *n, double slac
 }
 
 /* Returns true if the view v shows the dimension n, whose length the view does not shorten. A dimension with #:view
- * appears in that view alone. A level dimension appears on plans, and in sections in whose plane it lies. Other
- * dimensions appear in elevations and sections. No view shows a dimension whose ends were cut away. */
+ * appears in that view alone. A horizontal dimension appears on plans, and in sections in whose plane it lies. Other
+ * dimensions appear in elevations and sections. No view shows a dimension if its cut has removed both ends. */
 static bool shows_dimension(const vs_flat_view *v, const vs_scene_note *n) {
   vs_vec3 d = vs_v3_sub(n->q, n->p);
   double slack = 1e-6 * vs_v3_length(d);
@@ -97,8 +97,8 @@ static vs_sheet_point middle_of(const vs_flat_view *v) {
   return (vs_sheet_point){ (v->low.x + v->high.x) / 2, (v->low.y + v->high.y) / 2 };
 }
 
-/* Returns the width of paper in mm that automatically placed dimensions need: below the view if `below`, otherwise at
- * its left. */
+/* Returns the width in mm that automatically placed dimensions need on paper: below the view if `below` is true,
+ * otherwise at its left. */
 static double dimensions_width(const vs_emitter *e, const vs_flat_view *v, bool below) {
   vs_sheet_point middle = middle_of(v);
   for (size_t i = 0; i < e->scene->note_count; i++) {
@@ -117,7 +117,7 @@ static bool stroke(const vs_sheet_pen *pen, vs_sheet_point a, vs_sheet_point b) 
   return vs_sheet_stroke(pen, VS_DRAWN_DIMENSION, a, b);
 }
 
-/* Draws a tick at an end of a dimension line; t is half of the tick, as a vector. */
+/* Draws a tick at an end of a dimension line; t is the vector from the tick's middle to its end. */
 static bool tick(const vs_sheet_pen *pen, vs_sheet_point at, vs_sheet_point t) {
   return vs_sheet_stroke(pen, VS_DRAWN_CUT, (vs_sheet_point){ at.x - t.x, at.y - t.y },
                          (vs_sheet_point){ at.x + t.x, at.y + t.y });
@@ -126,8 +126,8 @@ static bool tick(const vs_sheet_pen *pen, vs_sheet_point at, vs_sheet_point t) {
 static vs_sheet_point seen_at(const vs_flat_view *v, vs_vec3 p) { return vs_sheet_place(v, vs_flat_view_project(v,
     p)); }
 
-/* Draws a dimension. Its line runs parallel to the segment from p to q, on the side away from the view's centre. The
- * note's distance, or 10 mm, separates the two. Ticks cross the line at 45 degrees. */
+/* Draws a dimension. Its line is parallel to the segment from p to q, on the side away from the view's centre, at the
+ * note's distance or 10 mm. Ticks cross the line at 45 degrees. */
 static bool dimension(const vs_sheet_pen *pen, const vs_scene_note *n) {
   const vs_flat_view *v = view_of(pen);
   vs_sheet_point p = seen_at(v, n->p), q = seen_at(v, n->q);
@@ -153,8 +153,8 @@ static bool dimension(const vs_sheet_pen *pen, const vs_scene_note *n) {
     return false;
   char text[40];
   length_text(pen->e, vs_v3_length(vs_v3_sub(n->q, n->p)), text, sizeof text);
-  bool back = dx < -1e-9 || (fabs(dx) <= 1e-9 && dy < 0); /* back: true if the text must be reversed, so that it can be
-                                                           * read from below or from the right */
+  bool back = dx < -1e-9 || (fabs(dx) <= 1e-9 && dy < 0); /* back: whether the text is rotated by 180 degrees, so that
+                                                           * it can be read from below or from the right */
   double ux = back ? -dx : dx, uy = back ? -dy : dy, angle = atan2(uy, ux) * (180 / 3.14159265358979323846);
   vs_sheet_point at = { (a.x + b.x) / 2 - uy * 1, (a.y + b.y) / 2 + ux * 1 };
   return vs_sheet_text(pen, &(vs_sheet_words){ n->text ? n->text : text, at, cap, angle, 0.5 });
@@ -186,7 +186,7 @@ static bool axis(const vs_sheet_pen *pen, const vs_scene_note *n) {
   const vs_flat_view *v = view_of(pen);
   vs_sheet_point p = seen_at(v, n->p), q = seen_at(v, n->q), first = p;
   double dx = q.x - p.x, dy = q.y - p.y, length = hypot(dx, dy);
-  if (length < 1e-3) { /* the view looks along the axis, which is a vertical line over the height of the view */
+  if (length < 1e-3) { /* the view looks along the axis, which becomes a vertical line over the height of the view */
     p.y = v->at.y - 3 - dimensions_width(pen->e, v, true);
     q = (vs_sheet_point){ p.x, v->at.y + (v->high.y - v->low.y) * v->mm + 3 };
     dx = 0, dy = 1, first = p;
@@ -202,7 +202,8 @@ static bool label(const vs_sheet_pen *pen, const vs_scene_note *n) {
   return vs_sheet_text(pen, &(vs_sheet_words){ n->text, seen_at(view_of(pen), n->p), cap, 0, 0.5 });
 }
 
-/* Draws the ground line where a section cuts the earth: the sides of the earth at the height of the ground. */
+/* Draws the ground line where a section cuts the earth: those sides of the earth's area that are at the height of the
+ * ground. */
 static bool ground_of_earth(const vs_sheet_pen *pen, const vs_flat_fill *fill) {
   const vs_flat_view *v = view_of(pen);
   double y = vs_flat_view_project(v, vs_v3(0, 0, pen->e->scene->ground_z)).y, near = 1e-9 * fabs(v->high.y - v->low.y);
@@ -243,14 +244,14 @@ bool vs_sheet_notes(const vs_sheet_pen *pen) {
   return ok;
 }
 
-/* Extends the room around a view so that it contains the point p, in millimetres from the view's lower left corner.
- * wide, high: size of the view. */
+/* Enlarges the room around a view so that it contains the point p, in millimetres from the view's lower left corner.
+ * wide, high: size of the view in mm. */
 static void include(vs_sheet_room *room, vs_sheet_point p, double wide, double high) {
   room->left = fmax(room->left, -p.x), room->right = fmax(room->right, p.x - wide);
   room->below = fmax(room->below, -p.y), room->above = fmax(room->above, p.y - high);
 }
 
-/* Extends the room around a view so that it contains a text; descenders reach below the base line. A text longer than
+/* Enlarges the room around a view so that it contains a text; descenders reach below the base line. A text longer than
  * LONGEST_TEXT millimetres may extend beyond the sheet's frame, because otherwise no sheet would be large enough. */
 enum { LONGEST_TEXT = 150 };
 

@@ -9,7 +9,7 @@
 bool vs_sheet_notes(const vs_sheet_pen *pen);
 /* Returns the approximate width of a text. `size` is the height of its capitals; the width is in the same unit. */
 double vs_sheet_text_width(const char *text, double size);
-/* Computes the room that the notes of the sheet's view `index` need at the view's present size. Draws the notes on a
+/* Computes the room that the notes around view number `index` need at the view's present size. Draws the notes on a
  * temporary sheet and measures how far they extend beyond the view's lines. Returns false if memory is out, with the
  * emitter's error set. */
 bool vs_sheet_notes_room(vs_emitter *e, const vs_sheet *s, uint32_t index);

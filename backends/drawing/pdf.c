@@ -21,7 +21,7 @@ static bool load(vs_pdf_library *p, vs_error *e) {
   return vs_dynamic_load(VS_LIBRARY_HPDF, "writing .pdf", names, sizeof names / sizeof *names, p, e);
 }
 
-static const double point = 72 / 25.4; /* number of points in a millimetre */
+static const double point = 72 / 25.4; /* number of points (PDF's unit) in a millimetre */
 static HPDF_REAL at(double mm) { return (HPDF_REAL)(mm * point); }
 
 typedef struct {
@@ -50,8 +50,8 @@ static void outline(const writing *w, uint32_t first, uint32_t count, bool close
   if (closed) w->lib->HPDF_Page_ClosePath(w->page);
 }
 
-/* Draws each dash as a separate line. libharu can dash lines itself, but the unit of its dash lengths differs between
- * its versions. */
+/* Draws the line of a mark as dashes, each a separate line. libharu can dash lines itself, but the unit of its dash
+ * lengths differs between its versions. */
 static void dashes(const writing *w, const vs_mark *m, const vs_layer_row *r) {
   const double lengths[4] = { r->dash, r->gap, r->dot, r->gap };
   const int turns = r->dot > 0 ? 4 : 2;
@@ -113,7 +113,8 @@ static bool has_marks(const vs_sheet *s, vs_drawn_layer layer, uint32_t own) {
   return false;
 }
 
-/* Draws the marks of a kind of line that belong to layer `own` of the program; 0: to none. */
+/* Draws the marks of one kind of line (layer) that belong to layer number `own` of the program, or to none if own is
+ * 0. */
 static bool put_marks(vs_emitter *e, const writing *w, vs_drawn_layer layer, uint32_t own) {
   set_layer(w, layer, own ? vs_scene_find_pen(e->scene, w->s->layers[own - 1]) : NULL);
   for (size_t i = 0; i < w->s->mark_count; i++) {
@@ -123,8 +124,8 @@ static bool put_marks(vs_emitter *e, const writing *w, vs_drawn_layer layer, uin
   return true;
 }
 
-/* Draws all marks. Each kind of line is a layer of the file, and so is each layer of the program. If libharu fails, its
- * error is set and the function returns true. */
+/* Draws all marks. Each kind of line is a layer of the file, and so is each layer of the program. If libharu fails,
+ * libharu's error is set and the function returns true. */
 static bool put_all(vs_emitter *e, writing *w) {
   for (uint32_t own = 0; own <= w->s->layer_count; own++) {
     bool open = false;
@@ -140,8 +141,8 @@ static bool put_all(vs_emitter *e, writing *w) {
   return true;
 }
 
-/* Repairs the table by which a reader of the .pdf converts letters to Unicode. Instead of it, libharu writes a table of
- * glyphs (operators `cidrange`), which readers ignore with a warning. The letters are stored as Unicode, so the correct
+/* Repairs the table by which a reader of the .pdf converts letters to Unicode. libharu writes a table of glyphs in its
+ * place (operators `cidrange`), which readers ignore with a warning. The letters are stored as Unicode, so the correct
  * table is one line. It overwrites libharu's table without compression, so no position in the file changes. If another
  * version of libharu writes the table in another form, the file is not changed. */
 static void mend_unicode(char *file, size_t size) {
@@ -170,17 +171,17 @@ static bool hand_over(vs_emitter *e, const vs_pdf_library *lib, HPDF_Doc doc) {
   if (!file) return vs_emit_no_memory(e);
   lib->HPDF_ResetStream(doc);
   HPDF_UINT32 count = (HPDF_UINT32)size;
-  lib->HPDF_ReadFromStream(doc, (HPDF_BYTE *)file, &count); /* at the end of the stream, this call returns a status that
-                                                             * is not a failure */
+  lib->HPDF_ReadFromStream(doc, (HPDF_BYTE *)file, &count); /* at the end of the stream, the returned status is no
+                                                             * failure */
   mend_unicode(file, count);
   const bool ok = vs_put(e->out, file, count);
   vs_store_realloc(e->scene->store, file, size + 1, 0);
   return ok;
 }
 
-/* Returns true if a page can be as large as the sheet. A view without a sheet can be larger. */
+/* Returns true if a page of PDF can be as large as the sheet. Only views without a sheet can be larger. */
 static bool check_size(const vs_emitter *e, const vs_sheet *s) {
-  static const double most = 5080; /* mm: 200 inches, the limit of pages of PDF */
+  static const double most = 5080; /* 200 inches in mm, the limit for pages of PDF */
   if (fmax(s->width, s->height) <= most) return true;
   return vs_error_set(e->error, VS_ERROR_MODEL, NULL,
       "the drawing is %.0f x %.0f mm, and a page of .pdf is at most %g x %g mm; give the view a #:scale, or write .svg "

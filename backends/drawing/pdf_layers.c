@@ -1,13 +1,13 @@
-/* Makes the layers of a .pdf with libharu's objects: libharu itself has no function for layers. */
+/* Creates the layers of a .pdf from libharu's objects: libharu itself has no function for layers. */
 #include <stdio.h>
 #include <string.h>
 #include <utf8proc.h>
 
 #include "backends/drawing/pdf_layers.h"
 
-enum { LONGEST = 120 }; /* letters of a layer's name that a reader shows */
+enum { LONGEST = 120 }; /* greatest number of letters of a layer's name */
 
-/* Returns a new dictionary of the file, which is a value of `key` in `owner`; NULL if libharu fails. */
+/* Adds an empty dictionary to the dictionary `owner`, under `key`, and returns it. Returns NULL if libharu fails. */
 static HPDF_Dict add_dictionary(const vs_pdf_layers *l, HPDF_Dict owner, const char *key) {
   HPDF_Dict d = l->lib->HPDF_Dict_New(l->doc->mmgr);
   return d && l->lib->HPDF_Dict_Add(owner, key, d) == HPDF_OK ? d : NULL;
@@ -29,12 +29,12 @@ bool vs_pdf_layers_begin(vs_pdf_layers *l, const vs_pdf_library *lib, HPDF_Doc d
   l->layers = properties ? add_array(l, properties, "OCGs") : NULL;
   HPDF_Dict view = l->layers ? add_dictionary(l, properties, "D") : NULL;
   l->order = view ? add_array(l, view, "Order") : NULL;
-  if (doc->pdf_version < HPDF_VER_15) doc->pdf_version = HPDF_VER_15; /* the first version with layers */
+  if (doc->pdf_version < HPDF_VER_15) doc->pdf_version = HPDF_VER_15; /* PDF 1.5 is the first version with layers */
   return l->order != NULL;
 }
 
-/* Writes a name in UTF-16, with the mark of its byte order. Returns the number of bytes. A name that is too long is
- * cut. */
+/* Writes a name in UTF-16, with a byte order mark. Returns the number of bytes. A name longer than LONGEST letters is
+ * shortened. */
 static unsigned to_utf16(const char *name, HPDF_BYTE out[4 * LONGEST + 2]) {
   unsigned n = 0;
   out[n++] = 0xfe;

@@ -8,8 +8,8 @@
 typedef struct {
   const vs_pdf_library *lib;
   HPDF_Doc doc;
-  HPDF_Stream stream;  /* operators of the page */
-  HPDF_Dict names;     /* the page's table from a layer's number to the layer */
+  HPDF_Stream stream;  /* the page's drawing operators */
+  HPDF_Dict names;     /* the page's dictionary from a layer's name in the operators to the layer */
   HPDF_Array layers;   /* all layers of the file */
   HPDF_Array order;    /* the layers in the order of the reader's list */
   unsigned count;      /* number of layers */
@@ -18,9 +18,9 @@ typedef struct {
 /* Each function returns false if libharu fails; HPDF_GetError then returns the reason. libharu frees the layers
  * together with the file. */
 
-/* Prepares a page, to which nothing has been drawn, for layers. */
+/* Prepares a page for layers. Nothing may have been drawn on the page. */
 bool vs_pdf_layers_begin(vs_pdf_layers *l, const vs_pdf_library *lib, HPDF_Doc doc, HPDF_Page page);
-/* Begins a layer: the layer contains all marks that the page gets before the call of vs_pdf_layer_end. */
+/* Begins a layer, which contains all marks that are drawn before the call of vs_pdf_layer_end. */
 bool vs_pdf_layer_begin(vs_pdf_layers *l, const char *name);
 bool vs_pdf_layer_end(vs_pdf_layers *l);
 

@@ -32,7 +32,7 @@ static const double scales[] = { 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 25, 50, 100, 20
 enum { SCALES = sizeof scales / sizeof *scales, HUNDRED = 10 };
 
 static const double margin = 10, binding = 20, title_width = 130, title_height = 24, gap = 8, caption = 9;
-static const double north_room = 22; /* height of the north arrow and its space, in mm */
+static const double north_room = 22; /* height of the north arrow with the space around it, in mm */
 
 /* ---- frame ---- */
 
@@ -51,7 +51,7 @@ static vs_sheet_point point(double x, double y) { return (vs_sheet_point){ x, y 
 
 /* ---- scale and place ---- */
 
-/* Returns the width and the height that the sheet has for views and tables. */
+/* free_width and the next function return the width and height in mm that the sheet has for views and tables. */
 static double free_width(const vs_sheet *s) { return s->right - s->left - 2 * gap; }
 static double free_height(const vs_sheet *s) { return s->top - s->bottom - title_height - 2 * gap; }
 
@@ -64,7 +64,7 @@ static double views_width(const vs_emitter *e, const vs_sheet *s) {
 static bool is_flat(const vs_flat_view *v) { return v->look.parallel; }
 
 /* Returns the number of millimetres on paper for a unit of the view's plane. A perspective view has no scale: it is as
- * wide as the paper allows. It has no notes, but a border. */
+ * wide as the paper allows. */
 static double millimetres(const vs_emitter *e, const vs_sheet *s, const vs_flat_view *v, double scale) {
   if (is_flat(v)) return vs_drawing_unit(e->scene) / scale;
   double wide = v->high.x - v->low.x, high = v->high.y - v->low.y, share = s->view_count > 1 ? 0.45 : 1;
@@ -85,9 +85,9 @@ static bool size_view(vs_emitter *e, vs_sheet *s, size_t i, double scale) {
   return vs_sheet_notes_room(e, s, (uint32_t)i);
 }
 
-/* Places the views from `first` to `end` - 1 in a row below `top`, centred in the width `free`. The views have a common
- * base line. Their titles have another common base line, below the notes of all views. Returns the lower edge of the
- * row. */
+/* Places the views from `first` to `end` - 1 in a row below the height `top`, centred in the width `free`. The views
+ * have a common base line. Their titles have another common base line, below the notes of all views. Returns the lower
+ * edge of the row in mm. */
 static double place_row(vs_sheet *s, size_t first, size_t end, double top, double free) {
   double above = 0, below = 0, wide = gap * (double)(end - first - 1);
   for (size_t i = first; i < end; i++) {
@@ -105,7 +105,7 @@ static double place_row(vs_sheet *s, size_t first, size_t end, double top, doubl
   return top - above - below - caption;
 }
 
-/* Places the views in rows. Sets *fits to whether they fit at this scale. Returns false if memory is out, with the
+/* Places the views in rows. Sets *fits to true if they fit at this scale. Returns false if memory is out, with the
  * emitter's error set. */
 static bool place_all(vs_emitter *e, vs_sheet *s, double scale, bool *fits) {
   double y = s->top - gap, least = s->bottom + title_height + gap, free = views_width(e, s);
@@ -133,8 +133,8 @@ static void take_paper(vs_sheet *s, size_t i) {
   s->left = binding, s->right = s->width - margin, s->bottom = margin, s->top = s->height - margin;
 }
 
-/* Sets *sheet to the name of the sheet in the first view that has such a name. Sets *scale to the scale of the first
- * view that has a scale. */
+/* Sets *sheet to the sheet of the first view for which the program has set a sheet, and *scale to the scale of the
+ * first view for which it has set a scale. */
 static void asked(const vs_sheet *s, const char **sheet, double *scale) {
   *sheet = NULL, *scale = 0;
   for (size_t i = 0; i < s->view_count; i++) {
@@ -143,8 +143,8 @@ static void asked(const vs_sheet *s, const char **sheet, double *scale) {
   }
 }
 
-/* Places the views beside each other at true size, or at their scale, on a sheet that is as large as they are. A
- * perspective view becomes 200 mm wide. */
+/* Places the views beside each other at true size, or at their scale, on a page without frame that is as large as they
+ * are. A perspective view becomes 200 mm wide. */
 static bool place_bare(vs_emitter *e, vs_sheet *s, double scale) {
   static const double border = 5, perspective = 200;
   double x = border, above = 0, below = 0;
@@ -166,7 +166,7 @@ static bool place_bare(vs_emitter *e, vs_sheet *s, double scale) {
 }
 
 /* Chooses the smallest sheet among papers[low] to papers[high - 1] on which the views fit at this scale. Sets *fits to
- * whether there is such a sheet. Returns false if memory is out, with the emitter's error set. */
+ * true if there is such a sheet. Returns false if memory is out, with the emitter's error set. */
 static bool try_papers(vs_emitter *e, vs_sheet *s, size_t low, size_t high, double scale, bool *fits) {
   *fits = false;
   for (size_t i = low; i < high && !*fits; i++)
@@ -182,7 +182,7 @@ static bool choose(vs_emitter *e, vs_sheet *s) {
   size_t low = 0, high = PAPERS;
   for (size_t i = 0; sheet && i < PAPERS; i++)
     if (strcmp(papers[i].name, sheet) == 0) low = i, high = i + 1;
-  bool large = false; /* large: true if the drawing is too small on the smallest sheet at 1:100; larger scales are then
+  bool large = false; /* large: whether the drawing is too small on the smallest sheet at 1:100; larger scales are then
                        * tried first */
   if (scale == 0) {
     double across = 0;
@@ -228,7 +228,7 @@ static bool scale_bar(const vs_sheet_pen *pen, double x, double y, const vs_flat
     if (!stroke(pen, point(at, y), point(at, y + 1.6))) return false;
     snprintf(text, sizeof text, i == 5 ? "%g %s" : "%g", i * part, pen->e->scene->units);
     if ((i == 0 || i == 1 || i == 5) && !write(pen, point(at, y + 2.6), 1.8, 0.5, text)) return false;
-    /* Dark parts are drawn as close parallel lines, because every program shows these. */
+    /* The bar's dark parts are close parallel lines, because every program shows these. */
     for (int k = 0; i < 5 && k < 4 && i % 2 == 0; k++)
       if (!stroke(pen, point(at, y + 0.25 * k), point(at + part * v->mm, y + 0.25 * k))) return false;
     if (i < 5 && i % 2 && !stroke(pen, point(at, y), point(at + part * v->mm, y))) return false;

@@ -12,7 +12,7 @@
 
 /* Places the views on the sheet and adds all lines, fills and texts. */
 bool vs_sheet_make(vs_emitter *e, vs_sheet *s, vs_flat_view *views, size_t count);
-/* Writes the view, the scale and the sheet in words; room for 200 bytes is enough. */
+/* Writes the views, the scale and the sheet as text; 200 bytes of room suffice. */
 void vs_sheet_describe(const vs_sheet *s, char *out, size_t room);
 void vs_sheet_free(vs_emitter *e, vs_sheet *s);
 

@@ -38,8 +38,8 @@ bool vs_sheet_rectangle(const vs_sheet_pen *pen, vs_drawn_layer layer, vs_sheet_
   return vs_sheet_line(pen, layer, at, 4, true);
 }
 
-/* Returns the text as a single line of printable characters. Other characters have no shape on paper, and programs
- * refuse files that contain them. */
+/* Returns the text as a single line of printable characters. Other characters cannot be drawn, and programs refuse
+ * files that contain them. */
 static const char *on_paper(vs_store *store, const char *text) {
   size_t length = strlen(text), room = 3 * length + VS_SPELLED_ROOM, used = 0;
   char *letters = vs_store_realloc(store, NULL, 0, room);

@@ -16,8 +16,8 @@ typedef struct {
   bool closed;
   double grey;              /* for a FILL: its grey, from 0 (black) to 1 (white) */
   const char *text;         /* for a TEXT: the text, interned */
-  vs_sheet_point at;        /* the point where the text begins, has its middle or ends, as `align` says, on its base
-                             * line */
+  vs_sheet_point at;        /* of a TEXT: the point on its base line where it begins, has its middle or ends, as `align`
+                             * says */
   /* Size: height of a capital in mm. Angle: in degrees. Align: `at` is the text's beginning (0), middle (0.5) or end
    * (1). */
   double size, angle, align;
@@ -26,7 +26,7 @@ typedef struct {
 typedef struct {
   double width, height;     /* size of the paper in mm */
   const char *name;         /* name of the paper, such as "A3" */
-  bool bare;                /* true if there is no sheet of paper: the page is as large as the views and their notes */
+  bool bare;                /* whether there is no sheet of paper: the page is as large as the views and their notes */
   double left, right, bottom, top; /* edges of the frame in mm */
   vs_mark *marks;
   vs_sheet_point *points;
@@ -45,20 +45,20 @@ typedef struct {
   uint32_t view;            /* index of the view; equal to the number of views for marks of the sheet itself */
 } vs_sheet_pen;
 
-/* A line of text: position, size in mm, angle and alignment have the meaning that they have in a mark. */
+/* A line of text: position, size in mm, angle and alignment as in vs_mark. */
 typedef struct {
   const char *text;
   vs_sheet_point at;
   double size, angle, align;
 } vs_sheet_words;
 
-/* The functions of this group add a mark, and return false if memory is out, with the emitter's error set. Points are
- * in mm. The points a and b are the ends of a line, or opposite corners of a rectangle. */
+/* vs_sheet_line and the next functions add a mark. They return false if memory is out, with the emitter's error set.
+ * Points are in mm. The points a and b are the ends of a line, or opposite corners of a rectangle. */
 bool vs_sheet_line(const vs_sheet_pen *pen, vs_drawn_layer layer, const vs_sheet_point *at, size_t count, bool closed);
 bool vs_sheet_stroke(const vs_sheet_pen *pen, vs_drawn_layer layer, vs_sheet_point a, vs_sheet_point b);
 bool vs_sheet_rectangle(const vs_sheet_pen *pen, vs_drawn_layer layer, vs_sheet_point a, vs_sheet_point b);
 bool vs_sheet_text(const vs_sheet_pen *pen, const vs_sheet_words *words);
 vs_sheet_point vs_sheet_place(const vs_flat_view *v, vs_sheet_point p); /* returns the position on the sheet, in mm, of
-                                                                         * point p of the view's plane */
+                                                                         * the point p of the view's plane */
 
 #endif

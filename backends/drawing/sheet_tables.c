@@ -1,12 +1,12 @@
-/* Draws the tables of a sheet. A column of numbers is aligned at its right side, other columns at their left. */
+/* Draws the tables of a sheet. Columns of numbers are aligned to the right, other columns to the left. */
 #include <math.h>
 #include <stdlib.h>
 
 #include "backends/drawing/notes.h"
 #include "backends/drawing/sheet_tables.h"
 
-/* Lengths in mm: heights of capitals in cells and in the title; height of a row and of the title with its space;
- * space at both sides of a cell's text; distance between tables. */
+/* Lengths in mm. cap, title_cap: heights of capitals in cells and in the title; row, title_row: height of a row, and of
+ * the title with its space; side: space at both sides of a cell's text; apart: distance between tables. */
 static const double cap = 2, title_cap = 2.5, row = 4.6, title_row = 6, side = 1.6, apart = 6;
 
 static const char *cell(const vs_scene_table *t, size_t r, size_t c) { return t->cells[r * t->columns + c]; }
@@ -17,7 +17,7 @@ static bool is_number(const char *text) {
   return end != text && *end == '\0';
 }
 
-/* Returns true if a column contains numbers, and else only empty cells, below its head. */
+/* Returns true if each cell of the column below its head is a number or empty, and at least one is a number. */
 static bool is_numeric(const vs_scene_table *t, size_t column) {
   size_t numbers = 0;
   for (size_t r = 1; r < t->rows; r++) {

@@ -34,8 +34,8 @@ static void text(vs_writer *w, const vs_sheet *s, const vs_mark *m) {
   vs_puts(w, "\" y=\"");
   number(w, s->height - m->at.y);
   vs_puts(w, "\" font-size=\"");
-  number(w, m->size / 0.729); /* font size: the height of the capitals divided by 0.729, which is the ratio of the two
-                               * in DejaVu */
+  number(w, m->size / 0.729); /* font size: the height of capitals divided by 0.729, the ratio of the two in the font
+                               * DejaVu */
   vs_putf(w, "\" text-anchor=\"%s\"", anchors[m->align < 0.25 ? 0 : m->align < 0.75 ? 1 : 2]);
   if (m->angle != 0) {
     vs_puts(w, " transform=\"rotate(");
@@ -49,7 +49,7 @@ static void text(vs_writer *w, const vs_sheet *s, const vs_mark *m) {
   vs_puts(w, "</text>\n");
 }
 
-/* Writes the marks of a layer that belong to a single view. Lines are joined in paths of some 2000 points at most,
+/* Writes the marks of one layer that belong to one view. Lines are joined in paths of at most about 2000 points,
  * because programs limit the length of a path. */
 static void group(vs_writer *w, const vs_sheet *s, const uint32_t *order, size_t from, size_t to) {
   size_t open = 0;
@@ -121,8 +121,8 @@ static void each_view(vs_writer *w, const vs_sheet *s, const chosen *c) {
   }
 }
 
-/* Writes all marks of one kind of line that are in one layer of the program. own: number of the program's layer; 0:
- * marks in no layer. The first group in such a layer opens the layer's own group. */
+/* Writes all marks of one kind of line (`which`) in one layer of the program. own: number of the program's layer; 0:
+ * marks in no layer. The first group in a layer of the program opens the group of this layer. */
 static bool layer(vs_emitter *e, const vs_sheet *s, uint32_t *order, vs_drawn_layer which, uint32_t own, bool *open) {
   vs_writer *w = e->out;
   chosen c = { order, 0, 0 };

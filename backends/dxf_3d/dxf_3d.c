@@ -1,10 +1,11 @@
-/* Writes the model in space as .dxf (AutoCAD 2004, as text): 3DFACE for the faces of solids, surfaces and regions,
- * LINE and 3D POLYLINE for curves, a block for each template.
+/* Writes the model in space as .dxf (AutoCAD 2004, as text): 3DFACE for the faces of solids, surfaces and regions, LINE
+ * and 3D POLYLINE for curves, a block for each template.
  *
- * 3DFACE is the one face that every program reads. An edge between faces of one plane is invisible. An entity has the
- * colour of its material; without a material it has that of its layer, and in a block that of the block's place
- * (BYBLOCK). The tables of layers and of blocks precede the entities in the file, so that the entities are collected in
- * memory. A place that shears a template is no INSERT: its faces are written there. */
+ * 3DFACE is the only kind of face that every program reads. An edge between faces of one plane is invisible. An entity
+ * has the colour of its material. Without a material it has the colour of its layer or, in a block, that of the block's
+ * reference (BYBLOCK). The tables of layers and of blocks precede the entities in the file, so the entities are first
+ * collected in memory. If a place of a template is sheared, INSERT cannot represent it, and the template's faces are
+ * written there. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,16 +20,17 @@ enum { NAME = 250, BY_BLOCK = 0 };
 
 typedef struct {
   vs_emitter *e;
-  vs_writer *w;                /* receives blocks and entities; its sink adds to `bytes` */
+  vs_writer *w;                /* writes blocks and entities to the array `bytes` */
   char *bytes;
   size_t count, room;
-  unsigned handle;             /* the next free handle */
+  unsigned handle;             /* the next unused handle (number of an object in the file) */
   unsigned owner;              /* block record to which the entities belong */
   bool in_block;
-  bool drawing;                /* true after the blocks, in the section of entities */
-  unsigned *blocks;            /* handles of the templates' block records */
+  bool drawing;                /* whether the blocks are complete and the section of entities has begun */
+  unsigned *blocks;            /* blocks[i]: handle of the block record of template i */
   size_t block_count, block_room;
-  const vs_material *painted;  /* material of the last entity that has one; colour: its index, slow to find */
+  const vs_material *painted;  /* material of the last entity that has a material; colour: its index, cached because
+                                * finding it is slow */
   int colour;
   const char **layers;         /* names of the layers in the order of first use */
   size_t layer_count, layer_room;
@@ -79,7 +81,8 @@ static void space_close(vs_emitter *e) {
 
 /* ---- entities ---- */
 
-/* Sets name to a layer's name as DXF allows. NULL is layer 0, which in a block is that of the block's place. */
+/* Sets `name` to the name of a layer as DXF allows. NULL is layer 0, which in a block means the layer of the block's
+ * reference. */
 static const char *layer_name(char name[NAME], const char *layer) {
   if (layer == NULL) layer = "0";
   snprintf(name, NAME, "%.*s", (int)vs_character_cut(layer, NAME - 1), layer);
@@ -91,7 +94,7 @@ static void put_layer_name(vs_writer *w, int number, const char *layer) {
   vs_dxf_text(w, number, layer_name(name, layer));
 }
 
-/* Keeps a layer for the table, unless it has a layer of that name. DXF makes one name of "a:b" and "A;b". */
+/* Adds a layer to the table of layers, unless it has a layer of that name. DXF regards "a:b" and "A;b" as one name. */
 static bool keep_layer(dxf_3d *d, const char *layer) {
   char name[NAME], other[NAME];
   for (size_t i = 0; i < d->layer_count; i++)
@@ -104,7 +107,7 @@ static bool keep_layer(dxf_3d *d, const char *layer) {
   return true;
 }
 
-/* Begins an entity. Returns its handle. */
+/* Writes the beginning of an entity. Returns its handle. */
 static unsigned entity(dxf_3d *d, const char *type, const char *layer, const vs_material *m) {
   vs_writer *w = d->w;
   if (!d->drawing && !d->in_block) {
@@ -142,17 +145,17 @@ static vs_vec3 face_normal(const vs_mesh *m, uint32_t t) {
       vs_v3_cross(vs_v3_sub(m->vertices[m->triangles[t][1]], a), vs_v3_sub(m->vertices[m->triangles[t][2]], a)));
 }
 
-/* Returns true if the mesh has other edges between the ends of edge i, because more than two triangles meet there. */
+/* Returns true if the mesh has other edges with the same ends as edge i, because more than two triangles share it. */
 static bool is_shared(const vs_mesh_edges *s, size_t i) {
   const vs_mesh_edge *at = &s->edges[i], *end = s->edges + s->edge_count;
   return (i > 0 && at[-1].a == at->a && at[-1].b == at->b) || (at + 1 < end && at[1].a == at->a && at[1].b == at->b);
 }
 
-/* Sets hidden[t] to the flags of those sides of triangle t whose neighbour has its plane and its tag. hidden has an
- * element for each triangle, all 0. Returns false when memory is out. */
+/* Sets hidden[t] to flags for the sides of triangle t that are invisible: the neighbouring triangle has the same plane
+ * and tag. hidden has an element for each triangle, all 0 before. Returns false when memory is out. */
 static bool find_hidden(const vs_mesh *m, unsigned char *hidden) {
-  static const unsigned char flags[3] = { 2, 8, 1 }; /* of the sides opposite corner 0, 1, 2; the third side of a
-                                                      * triangle is the fourth of the face */
+  static const unsigned char flags[3] = { 2, 8, 1 }; /* flags of DXF for the sides opposite to corners 0, 1, 2; the
+                                                      * third side of a triangle is the fourth of a 3DFACE */
   vs_mesh_edges s;
   bool ok = vs_mesh_edges_make(&s, m);
   for (uint32_t t = 0; ok && t < m->triangle_count; t++)
@@ -166,7 +169,7 @@ static bool find_hidden(const vs_mesh *m, unsigned char *hidden) {
   return ok;
 }
 
-/* Writes the triangles of a solid at a place. m: the material of the parts that have none. */
+/* Writes the triangles of a solid, mapped by `place`. m: the material of triangles that have none. */
 static bool put_faces(dxf_3d *d, const vs_solid *solid, const vs_affine *place, const vs_material *m) {
   const vs_mesh *mesh = &solid->mesh;
   vs_writer *w = d->w;
@@ -239,7 +242,7 @@ static vs_emit_status space_line(vs_emitter *e, const vs_ref *ref, vs_phase phas
   return w->failed ? VS_FAILED : VS_EMITTED;
 }
 
-/* Does nothing for placements, paint and layers, because the emitter already contains them. */
+/* Does nothing for placements, paint and layers, because the emitter keeps them for the shapes below. */
 static vs_emit_status space_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)e, (void)ref, (void)phase;
   return VS_EMITTED;
@@ -266,8 +269,8 @@ static bool space_define(vs_emitter *e, uint32_t id, const vs_ref *ref, bool ope
   return !d->w->failed;
 }
 
-/* Writes a placed block. Its plane has the normal z: DXF finds its X axis by the rule of arbitrary axes, and turns the
- * block about z from there. */
+/* Writes an INSERT, the placed block of a template. The normal of its plane is z. DXF derives the block's X axis from
+ * the normal (arbitrary axis algorithm), and an angle rotates the block about z from there. */
 static void put_insert(dxf_3d *d, uint32_t id, const vs_affine *place) {
   vs_writer *w = d->w;
   char name[24];
