@@ -371,7 +371,7 @@ clean: ## remove what was built
 help: ## list the targets
 	@awk -F ':.*## ' '/^help:.*## / { first = sprintf("make %-9s %s\n", $$1, $$2) } /^[a-z]+:.*## / && !/^help:/ { rest = rest sprintf("make %-9s %s\n", $$1, $$2) } END { printf "%s%s", first, rest }' Makefile
 
-include playground/rules.mk
+include live/playground/rules.mk
 
 .PHONY: playground all objects demo test check fresh units tools tests tested quick asan ubsan tsan static sanitized fuzz fuzzers coverage stress layers bless bench manual gallery install uninstall dist deb clean help
 -include $(OBJECTS:.o=.d) $(BUILD)/obj/scripts/stage0.d $(UNIT_BIN:=.d)

@@ -41,7 +41,8 @@ void live_follow_show(live_follower *f);
 live_asked live_follow_asked(live_follower *f);
 void live_asked_free(live_asked *a);
 
-/* A view without threads, for a host that is the server's only client (playground/): its server starts no thread, and
+/* A view without threads, for a host that is the server's only client (live/playground/): its server starts no thread,
+ * and
  * the host calls the following functions, none of which waits. Returns NULL on failure, after a message on standard
  * error. o must exist until the view is closed. */
 live_follower *live_alone_open(const live_options *o);

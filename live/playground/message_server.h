@@ -1,6 +1,6 @@
 /* Declares the live view's server for a window that sends messages, and the functions of the window's side. */
-#ifndef VS_PLAYGROUND_MESSAGE_SERVER_H
-#define VS_PLAYGROUND_MESSAGE_SERVER_H
+#ifndef VS_LIVE_PLAYGROUND_MESSAGE_SERVER_H
+#define VS_LIVE_PLAYGROUND_MESSAGE_SERVER_H
 
 #include "live/http.h"
 

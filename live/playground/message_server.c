@@ -3,7 +3,7 @@
  *
  * A response is sent when it is queued. A response from a callback (the events) stays open: playground_pump sends its
  * new bytes. It is closed when the window asks for another. */
-#include "playground/message_server.h"
+#include "live/playground/message_server.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -8,7 +8,7 @@
 #include "cli/study.h"
 #include "live/live.h"
 #include "live/serve.h"
-#include "playground/message_server.h"
+#include "live/playground/message_server.h"
 
 /* The one view, which the functions called from JavaScript have no other way to find. */
 static live_options options;

@@ -1,8 +1,8 @@
 // Opens the page of the playground: the live view's page over the program in a worker. A program comes from the
 // address (a shared link, an example), from this browser's storage, or is the first example.
 import { zipSync, strToU8 } from "three/examples/jsm/libs/fflate.module.js";
-import { Live } from "../../backends/page/live/live.js";
-import { el } from "../../backends/page/dom.js";
+import { Live } from "../../../backends/page/live/live.js";
+import { el } from "../../../backends/page/dom.js";
 import { Engine } from "./engine.js";
 import { pack, unpack } from "./share.js";
 

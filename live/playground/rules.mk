@@ -20,7 +20,7 @@ playground: ## install emscripten, compile the program to WebAssembly and make b
 
 ifneq ($(findstring emcc,$(CC)),)
 # Names that the sources ask a library for, and that a linked archive defines.
-$(BUILD)/libraries/include/linked.def: $(wildcard $(BUILD)/libraries/lib/*.a) playground/linked_libraries.c live/http.def
+$(BUILD)/libraries/include/linked.def: $(wildcard $(BUILD)/libraries/lib/*.a) live/playground/linked_libraries.c live/http.def
 	@{ emnm --defined-only $(foreach l,geos freetype png expat jansson z,$(BUILD)/libraries/lib/lib$(l).a) 2>/dev/null | awk '$$2 == "T" { print $$3 }'; \
 	   sed -n 's/^HTTP(\(.*\))/MHD_\1/p' live/http.def; } > $(BUILD)/defined; \
 	 cat geometry/*/*.c geometry/*.[ch] bind/*.[ch] bind/*/*.[ch] backends/*/*.[ch] cli/*.[ch] live/*.c | grep -oE '[A-Za-z_][A-Za-z_0-9]*' > $(BUILD)/asked; \
@@ -31,11 +31,11 @@ $(BUILD)/libraries/include/linked.def: $(wildcard $(BUILD)/libraries/lib/*.a) pl
 # stage0 runs in node, which gives it this machine's files.
 $(BUILD)/stage0.js: $(STAGE0)
 	$(call say,link  $@)
-	$(Q)$(CC) $(CFLAGS) -o $@ $(STAGE0) $(LDFLAGS) $(LDLIBS) -sNODERAWFS=1 -sENVIRONMENT=node -sALLOW_MEMORY_GROWTH=1 -sEXIT_RUNTIME=1 --pre-js playground/no_fetch.js
+	$(Q)$(CC) $(CFLAGS) -o $@ $(STAGE0) $(LDFLAGS) $(LDLIBS) -sNODERAWFS=1 -sENVIRONMENT=node -sALLOW_MEMORY_GROWTH=1 -sEXIT_RUNTIME=1 --pre-js live/playground/no_fetch.js
 
 $(BUILD)/live_assets.s: Makefile
-PAGE_OBJ  = $(patsubst playground/%.c,$(BUILD)/obj/playground/%.o,$(wildcard playground/*.c))
-$(BUILD)/obj/playground/linked_libraries.o: $(BUILD)/libraries/include/linked.def
+PAGE_OBJ  = $(patsubst live/playground/%.c,$(BUILD)/obj/live/playground/%.o,$(wildcard live/playground/*.c))
+$(BUILD)/obj/live/playground/linked_libraries.o: $(BUILD)/libraries/include/linked.def
 PAGE_PARTS = $(filter-out $(BUILD)/obj/cli/main.o $(BUILD)/obj/cli/limits.o $(BUILD)/obj/cli/packages/%,$(CLI_OBJ))
 $(BUILD)/libcommand.a: $(PAGE_PARTS)
 	$(call say,ar    $@)
@@ -47,6 +47,6 @@ $(BUILD)/engine.js: $(PAGE_OBJ) $(WHOLE_OBJ) $(BUILD)/libcommand.a $(TEXTS)
 	  -lc++ -sMODULARIZE=1 -sEXPORT_NAME=VisualScheme -sENVIRONMENT=worker,node -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=4GB \
 	  -sNODEJS_CATCH_EXIT=0 -sNODEJS_CATCH_REJECTION=0 -sFORCE_FILESYSTEM=1 -sEXPORTED_RUNTIME_METHODS=FS,ccall,cwrap -sTOTAL_STACK=8MB -sINITIAL_MEMORY=64MB
 
-$(BUILD)/playground.js: $(wildcard playground/page/*.js backends/page/*.js backends/page/live/*.js) package.json NOTICE
-	$(Q)$(BUNDLE) --footer:js="/*! $$(awk '/^[^ ]/ { on = /^Embedded/ } on' NOTICE) */" playground/page/playground.js --outfile=$@
+$(BUILD)/playground.js: $(wildcard live/playground/page/*.js backends/page/*.js backends/page/live/*.js) package.json NOTICE
+	$(Q)$(BUNDLE) --footer:js="/*! $$(awk '/^[^ ]/ { on = /^Embedded/ } on' NOTICE) */" live/playground/page/playground.js --outfile=$@
 endif
