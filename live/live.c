@@ -547,7 +547,7 @@ static void open_browser(const char *address) {
 
 static void tell_address(const live *l) {
   char address[96];
-  snprintf(address, sizeof address, "http://127.0.0.1:%u/#%s", l->server.port, l->server.token);
+  snprintf(address, sizeof address, "http://127.0.0.1:%u/#%s", l->server.port, l->server.access.token);
   fprintf(l->options->told, "%s\n", address);
   fflush(l->options->told);
   if (l->options->open_browser) open_browser(address);

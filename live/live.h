@@ -4,6 +4,7 @@
  *   aside.c        a second interpreter in its own thread, for outputs with other values
  *   published.c    the state that windows receive, under one lock
  *   serve.c        HTTP, a thread for each connection
+ *   access.c       which requests the server accepts
  *   said.c         the printed text and the messages of a run
  *   waiting.c      a limit on slow clients
  *   http.c         libmicrohttpd, loaded when the first view opens

@@ -1,10 +1,7 @@
 /* Implements the HTTP server of the live view: access control, and the answers to requests.
  *
- * The server listens on the loopback address only. The page itself (/, /live.js, /live.css) is equal for everybody and
- * contains no secret. Every other request needs the token in the header X-VS-Token. The page reads the token from the
- * fragment of its address, which browsers never send, not even as a Referer. The server refuses a foreign Host or
- * Origin. A foreign page, or a foreign name that resolves to this address, therefore receives nothing. The server
- * serves no file by name.
+ * The server listens on the loopback address only. access.c decides which requests it accepts, before their bodies are
+ * read. The server serves no file by name.
  *
  * The server limits the number of connections, the bytes of a request's head and body, the bytes of waiting work, the
  * time of a silent client, and the number of slow clients (waiting.h). */
@@ -13,7 +10,6 @@
 
 #include <arpa/inet.h>
 #include <errno.h>
-#include <fcntl.h>
 #include <netinet/in.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -21,6 +17,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "live/access.h"
 #include "live/model_files.h"
 #include "live/live_options.h"
 #include "model/signals.h"
@@ -36,7 +33,8 @@ ASSET(live_html) ASSET(live_js) ASSET(live_css)
   "connect-src 'self'; img-src 'self' blob: data:; media-src blob:; base-uri 'none'; form-action 'none'; " \
   "frame-ancestors 'none'"
 
-typedef struct { live_text body; bool too_long, began; } request;
+/* began: whether its headers were read. zero: whether its path or its query contains the character U+0000. */
+typedef struct { live_text body; bool too_long, began, zero; } request;
 
 /* ---- answers ---- */
 
@@ -82,33 +80,8 @@ static enum MHD_Result answer_live_text(live_server *s, struct MHD_Connection *c
   return answer(s, c, r, 200, type);
 }
 
-/* ---- access ---- */
-
-static bool same_secret(const char *given, const char *token) { /* the comparison takes a time that does not depend on
-                                                                 * the number of equal bytes */
-  unsigned char difference = strlen(given) != strlen(token);
-  for (size_t i = 0; token[i] != 0; i++) difference |= (unsigned char)(token[i] ^ (difference ? 0 : given[i]));
-  return difference == 0;
-}
-
-static bool own_host(const live_server *s, const char *host) {
-  return host != NULL && (strcmp(host, s->hosts[0]) == 0 || strcmp(host, s->hosts[1]) == 0);
-}
-
-static const char *header(const live_server *s, struct MHD_Connection *c, const char *name) {
-  return s->http.lookup_connection_value(c, MHD_HEADER_KIND, name);
-}
 static const char *query(const live_server *s, struct MHD_Connection *c, const char *name) {
   return s->http.lookup_connection_value(c, MHD_GET_ARGUMENT_KIND, name);
-}
-
-/* Returns the reason to refuse a request, or NULL if it is accepted. */
-static const char *refuse(const live_server *s, struct MHD_Connection *c, bool secret) {
-  const char *origin = header(s, c, "Origin"), *token = header(s, c, "X-VS-Token");
-  if (!own_host(s, header(s, c, "Host"))) return "not this host\n";
-  if (origin != NULL && (strncmp(origin, "http://", 7) != 0 || !own_host(s, origin + 7))) return "not from this page\n";
-  if (secret && (token == NULL || !same_secret(token, s->token))) return "open the address that vs view printed\n";
-  return NULL;
 }
 
 /* ---- events ---- */
@@ -342,6 +315,25 @@ static enum MHD_Result serve_name(live_server *s, struct MHD_Connection *c) {
   return answer_live_text(s, c, "application/json", &t);
 }
 
+/* Answers with the formats of outputs, which a window offers, in the library's order. */
+static enum MHD_Result serve_formats(live_server *s, struct MHD_Connection *c) {
+  size_t count;
+  const vs_format_info *formats = vs_format_list(&count);
+  live_text t = { 0 };
+  live_puts(&t, "[");
+  for (size_t i = 0; i < count; i++) {
+    live_puts(&t, i > 0 ? ",{\"name\":" : "{\"name\":");
+    live_json(&t, formats[i].name);
+    live_puts(&t, ",\"suffix\":");
+    live_json(&t, formats[i].suffix);
+    live_puts(&t, ",\"doc\":");
+    live_json(&t, formats[i].doc);
+    live_puts(&t, formats[i].worker != NULL ? ",\"worker\":true}" : ",\"worker\":false}");
+  }
+  live_puts(&t, "]");
+  return answer_live_text(s, c, "application/json", &t);
+}
+
 /* Answers with the findings of `vs check` in a text that a window is editing. */
 static enum MHD_Result serve_check(live_server *s, struct MHD_Connection *c, const live_text *body) {
   char *bytes = NULL;
@@ -412,22 +404,13 @@ static enum MHD_Result export(live_server *s, struct MHD_Connection *c, const li
   return result;
 }
 
-static bool make_token(char out[33]) {
-  unsigned char bytes[16];
-  int file = open("/dev/urandom", O_RDONLY | O_CLOEXEC);
-  bool ok = file >= 0 && read(file, bytes, sizeof bytes) == (ssize_t)sizeof bytes;
-  if (file >= 0) close(file);
-  for (size_t i = 0; ok && i < sizeof bytes; i++) snprintf(out + 2 * i, 3, "%02x", bytes[i]);
-  return ok;
-}
-
 /* Answers with the page. The page's editor adds style sheets. The security policy allows them by a nonce (a random
  * word) that only this answer contains, in place of @nonce@. */
 static enum MHD_Result serve_page(live_server *s, struct MHD_Connection *c) {
   static const char mark[] = "@nonce@";
   char nonce[33], policy[sizeof POLICY(" 'nonce-'") + sizeof nonce];
   live_text t = { 0 };
-  if (!make_token(nonce)) return answer_text(s, c, 500, "no random numbers\n");
+  if (!live_access_word(nonce)) return answer_text(s, c, 500, "no random numbers\n");
   snprintf(policy, sizeof policy, POLICY(" 'nonce-%s'"), nonce);
   const char *at = vs_asset_live_html, *end = vs_asset_live_html_end, *found;
   while ((found = memmem(at, (size_t)(end - at), mark, sizeof mark - 1)) != NULL) {
@@ -446,26 +429,22 @@ static const struct { const char *url, *type, *from, *end; } assets[] = {
   { "/live.css", "text/css; charset=utf-8", vs_asset_live_css, vs_asset_live_css_end },
 };
 
+/* Answers a request that access.c has accepted. libmicrohttpd omits the body of an answer to HEAD. */
 static enum MHD_Result dispatch(live_server *s, struct MHD_Connection *c, const char *url, const char *method,
                                 const live_text *body) {
-  bool get = strcmp(method, "GET") == 0, post = strcmp(method, "POST") == 0;
-  for (size_t i = 0; get && i < sizeof assets / sizeof *assets; i++) {
-    if (strcmp(url, assets[i].url) != 0) continue;
-    const char *why = refuse(s, c, false);
-    if (why != NULL) return answer_text(s, c, 403, why);
-    return answer_bytes(s, c, 200, assets[i].type, assets[i].from, (size_t)(assets[i].end - assets[i].from));
-  }
-  if (get && strcmp(url, "/") == 0) {
-    const char *why = refuse(s, c, false);
-    return why != NULL ? answer_text(s, c, 403, why) : serve_page(s, c);
-  }
-  const char *why = refuse(s, c, true);
-  if (why != NULL) return answer_text(s, c, 403, why);
+  bool get = strcmp(method, "GET") == 0 || strcmp(method, "HEAD") == 0, post = strcmp(method, "POST") == 0;
+  for (size_t i = 0; get && i < sizeof assets / sizeof *assets; i++)
+    if (strcmp(url, assets[i].url) == 0)
+      return answer_bytes(s, c, 200, assets[i].type, assets[i].from, (size_t)(assets[i].end - assets[i].from));
+  if (get && strcmp(url, "/") == 0) return serve_page(s, c);
+  if (strcmp(url, "/events") == 0 && strcmp(method, "HEAD") == 0)
+    return answer_bytes(s, c, 200, "text/event-stream", "", 0); /* a stream would not end */
   if (get && strcmp(url, "/events") == 0) return serve_events(s, c);
   if (get && strcmp(url, "/scene") == 0) return serve_scene(s, c);
   if (get && strcmp(url, "/source") == 0) return serve_source(s, c);
   if (get && strcmp(url, "/names") == 0) return serve_names(s, c);
   if (get && strcmp(url, "/name") == 0) return serve_name(s, c);
+  if (get && strcmp(url, "/formats") == 0) return serve_formats(s, c);
   if ((get || post) && strcmp(url, "/export") == 0) return export(s, c, post ? body : NULL);
   if (post && strcmp(url, "/cancel") == 0 && query(s, c, "id") != NULL) {
     live_wish_cancel(s->publish, query(s, c, "id"));
@@ -501,16 +480,30 @@ static void connected(void *context, struct MHD_Connection *c, void **place, enu
   }
 }
 
+/* Returns the request of a connection, which libmicrohttpd passes to `handle` and to `completed`. uri: path and query
+ * as the client sent them, before libmicrohttpd decodes %00, with which a text would end early. */
+static void *begun(void *context, const char *uri, struct MHD_Connection *c) {
+  (void)context, (void)c;
+  request *r = calloc(1, sizeof *r);
+  if (r != NULL) r->zero = strstr(uri, "%00") != NULL;
+  return r;
+}
+
 static enum MHD_Result handle(void *context, struct MHD_Connection *c, const char *url, const char *method,
                               const char *version, const char *data, size_t *size, void **state) {
   live_server *s = context;
   request *r = *state;
   (void)version;
-  if (r == NULL) {
+  if (r == NULL) return MHD_NO;
+  if (!r->began) { /* the headers are known, and no byte of a body was read: a refused client sends none */
     pthread_mutex_lock(&s->publish->lock); /* a request that arrives early waits here until the server is open */
     pthread_mutex_unlock(&s->publish->lock);
-    *state = calloc(1, sizeof(request));
-    return *state != NULL ? MHD_YES : MHD_NO;
+    r->began = true;
+    live_refusal no = live_access_refuse(&s->http, c, &s->access, url, BODY_MOST);
+    if (no.why == NULL && r->zero) no = (live_refusal){ 400, "the address contains %00\n" };
+    if (no.why == NULL) return MHD_YES;
+    live_waiter_asked(&s->waiting, waiter(s, c));
+    return answer_text(s, c, no.status, no.why);
   }
   if (*size > 0) {
     if (r->body.length + *size > BODY_MOST) r->too_long = true;
@@ -520,6 +513,8 @@ static enum MHD_Result handle(void *context, struct MHD_Connection *c, const cha
   }
   live_waiter_asked(&s->waiting, waiter(s, c));
   if (r->too_long || r->body.failed) return answer_text(s, c, 413, "that is too long\n");
+  if (r->body.at != NULL && strlen(r->body.at) < r->body.length)
+    return answer_text(s, c, 400, "the body contains the character U+0000\n");
   return dispatch(s, c, url, method, &r->body);
 }
 
@@ -542,7 +537,7 @@ static void quiet(void *context, const char *format, va_list arguments) {
 
 bool live_server_open(live_server *s) {
   struct sockaddr_in loopback = { .sin_family = AF_INET, .sin_port = 0, .sin_addr.s_addr = htonl(INADDR_LOOPBACK) };
-  if (!make_token(s->token)) {
+  if (!live_access_word(s->access.token)) {
     fprintf(stderr, "vs: no random numbers for the live view's token\n");
     return false;
   }
@@ -560,6 +555,7 @@ bool live_server_open(live_server *s) {
   vs_signals_hold(&was); /* the command's signal handlers must not run in the server's threads */
   s->daemon = s->http.start_daemon(MHD_USE_INTERNAL_POLLING_THREAD | MHD_USE_THREAD_PER_CONNECTION | MHD_USE_ERROR_LOG,
                                    0, NULL, NULL, handle, s, MHD_OPTION_EXTERNAL_LOGGER, quiet, NULL,
+                                   MHD_OPTION_URI_LOG_CALLBACK, begun, NULL,
                                    MHD_OPTION_SOCK_ADDR, (struct sockaddr *)&loopback, MHD_OPTION_CONNECTION_LIMIT,
                                    (unsigned)CONNECTIONS, MHD_OPTION_CONNECTION_TIMEOUT, (unsigned)SILENCE,
                                    MHD_OPTION_CONNECTION_MEMORY_LIMIT, (size_t)32768, MHD_OPTION_NOTIFY_COMPLETED,
@@ -568,8 +564,8 @@ bool live_server_open(live_server *s) {
   const union MHD_DaemonInfo *info =
       s->daemon != NULL ? s->http.get_daemon_info(s->daemon, MHD_DAEMON_INFO_BIND_PORT) : NULL;
   s->port = info != NULL ? info->port : 0;
-  snprintf(s->hosts[0], sizeof s->hosts[0], "127.0.0.1:%u", s->port);
-  snprintf(s->hosts[1], sizeof s->hosts[1], "localhost:%u", s->port);
+  snprintf(s->access.hosts[0], sizeof s->access.hosts[0], "127.0.0.1:%u", s->port);
+  snprintf(s->access.hosts[1], sizeof s->access.hosts[1], "localhost:%u", s->port);
   pthread_mutex_unlock(&s->publish->lock);
   if (info == NULL) fprintf(stderr, "vs: the live view could not listen on 127.0.0.1\n");
   return info != NULL;

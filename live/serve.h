@@ -2,6 +2,7 @@
 #ifndef VS_LIVE_SERVE_H
 #define VS_LIVE_SERVE_H
 
+#include "live/access.h"
 #include "live/http.h"
 #include "live/published.h"
 #include "live/waiting.h"
@@ -19,8 +20,7 @@ typedef struct live_server {
   struct MHD_Daemon *daemon;
   live_waiting waiting;       /* table of the connections whose request is incomplete */
   unsigned port;
-  char token[33];
-  char hosts[2][32];          /* accepted values of the header Host: "127.0.0.1:PORT", "localhost:PORT" */
+  live_access access;
 } live_server;
 
 bool live_server_open(live_server *s);  /* Opens the server; the members http, publish, model and stop must be set.

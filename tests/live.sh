@@ -1,4 +1,4 @@
-# Tests the live view: its server by HTTP (tests/page/live.mjs), in a browser (live_browser.mjs,
+# Tests the live view: its server by HTTP (tests/page/live.mjs, live_requests.mjs), in a browser (live_browser.mjs,
 # live_words.mjs, live_making.mjs, live_scene.mjs, live_examples.mjs, live_output.mjs, live_runs.mjs), and `vs params`.
 case live in *"${ONLY%%/*}"*) ;; *) exit 0 ;; esac
 command -v node > /dev/null || { echo "skip live: no node (package nodejs)"; exit 0; }
@@ -10,6 +10,7 @@ if [ -z "$why" ]; then
   timeout 200 node tests/page/follow.mjs "$BUILD/vs" "$work/prompt" || echo "not ok live/view at the prompt: ended with $?"
 else echo "skip live/view at the prompt: $why"; fi
 timeout 200 node tests/page/live.mjs "$BUILD/vs" "$work" || echo "not ok live: ended with $?"
+timeout 200 node tests/page/live_requests.mjs "$BUILD/vs" "$work/requests" || echo "not ok live: requests ended with $?"
 if command -v chromium > /dev/null && [ -d tests/node_modules/playwright-core ]; then
   mkdir "$work/tutorial"
   timeout 400 node tests/page/tutorial.mjs "$BUILD/vs" "$work/tutorial" || echo "not ok live/browser:tutorial: ended with $?"

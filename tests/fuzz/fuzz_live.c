@@ -31,11 +31,26 @@ struct MHD_Connection {
 
 static MHD_AccessHandlerCallback handler;
 static void *handler_context;
+static void *(*begin_request)(void *context, const char *uri, struct MHD_Connection *c);
 
 static struct MHD_Daemon *start_daemon(unsigned flags, uint16_t port, MHD_AcceptPolicyCallback accept,
                                        void *accept_context, MHD_AccessHandlerCallback handle, void *context, ...) {
   (void)flags, (void)port, (void)accept, (void)accept_context;
   handler = handle, handler_context = context;
+  va_list options;
+  va_start(options, context);
+  for (int option; (option = va_arg(options, int)) != MHD_OPTION_END;) { /* the options of live/serve.c */
+    if (option == MHD_OPTION_URI_LOG_CALLBACK) begin_request = va_arg(options, void *(*)(void *, const char *, struct MHD_Connection *));
+    else if (option == MHD_OPTION_EXTERNAL_LOGGER) va_arg(options, MHD_LogCallback);
+    else if (option == MHD_OPTION_NOTIFY_COMPLETED) va_arg(options, MHD_RequestCompletedCallback);
+    else if (option == MHD_OPTION_NOTIFY_CONNECTION) va_arg(options, MHD_NotifyConnectionCallback);
+    else if (option == MHD_OPTION_CONNECTION_MEMORY_LIMIT) va_arg(options, size_t);
+    else if (option == MHD_OPTION_SOCK_ADDR) va_arg(options, struct sockaddr *);
+    else va_arg(options, unsigned);
+    if (option == MHD_OPTION_URI_LOG_CALLBACK || option == MHD_OPTION_EXTERNAL_LOGGER || option == MHD_OPTION_NOTIFY_COMPLETED || option == MHD_OPTION_NOTIFY_CONNECTION)
+      va_arg(options, void *);
+  }
+  va_end(options);
   return (struct MHD_Daemon *)(void *)&handler;
 }
 static void stop_daemon(struct MHD_Daemon *d) { (void)d; }
@@ -55,6 +70,12 @@ static const char *lookup(struct MHD_Connection *c, enum MHD_ValueKind kind, con
   for (size_t i = 0; i < c->words; i++)
     if (c->word[i].kind == kind && !strcmp(c->word[i].name, name)) return c->word[i].value;
   return NULL;
+}
+static int values(struct MHD_Connection *c, enum MHD_ValueKind kind, MHD_KeyValueIterator each, void *context) {
+  int count = 0;
+  for (size_t i = 0; i < c->words; i++)
+    if (c->word[i].kind == kind) count++, each(context, kind, c->word[i].name, c->word[i].value);
+  return count;
 }
 static struct MHD_Response *from_buffer(size_t count, void *bytes, enum MHD_ResponseMemoryMode mode) {
   struct MHD_Response *r = calloc(1, sizeof *r);
@@ -101,6 +122,9 @@ static char *cut(char *at, const char *ends) {
   return end;
 }
 
+/* Returns true for the statuses of requests that the server refuses by their headers. */
+static bool refused(unsigned status) { return status == 400 || status == 403 || status == 413; }
+
 static void add_words(struct MHD_Connection *c, char *at, const char *ends, enum MHD_ValueKind kind) {
   for (char *next; at && c->words < WORDS; at = next) {
     next = cut(at, ends);
@@ -130,6 +154,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
                                       .get_daemon_info = get_daemon_info,
                                       .get_connection_info = get_connection_info,
                                       .lookup_connection_value = lookup,
+                                      .get_connection_values = values,
                                       .create_response_from_buffer = from_buffer,
                                       .create_response_from_callback = from_callback,
                                       .add_response_header = add_header,
@@ -163,12 +188,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     char *arguments = cut(c.url, "?");
     add_words(&c, headers, "|", MHD_HEADER_KIND);
     for (size_t i = 0; i < c.words; i++)
-      if (c.word[i].value && !strcmp(c.word[i].value, "TOKEN")) c.word[i].value = server.token;
+      if (c.word[i].value && !strcmp(c.word[i].value, "TOKEN")) c.word[i].value = server.access.token;
     add_words(&c, arguments, "&", MHD_GET_ARGUMENT_KIND);
-    void *state = NULL;
+    void *state = begin_request(NULL, c.url, &c);
     size_t count = 0;
     enum MHD_Result ok = handler(handler_context, &c, c.url, c.method, "HTTP/1.1", NULL, &count, &state);
-    for (size_t sent = 0, all = body ? strlen(body) : 0; ok == MHD_YES && sent < all; sent += 7 - count) {
+    for (size_t sent = 0, all = body ? strlen(body) : 0; ok == MHD_YES && !c.status && sent < all; sent += 7 - count) {
       count = all - sent < 7 ? all - sent : 7;
       const size_t piece = count;
       ok = handler(handler_context, &c, c.url, c.method, "HTTP/1.1", body + sent, &count, &state);
@@ -176,12 +201,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
       if (piece < 7) break;
     }
     count = 0;
-    if (ok == MHD_YES) handler(handler_context, &c, c.url, c.method, "HTTP/1.1", NULL, &count, &state);
+    if (ok == MHD_YES && !c.status) handler(handler_context, &c, c.url, c.method, "HTTP/1.1", NULL, &count, &state);
     const char *host = lookup(&c, MHD_HEADER_KIND, "Host"), *token = lookup(&c, MHD_HEADER_KIND, "X-VS-Token");
     const bool page = !strcmp(c.url, "/") || !strcmp(c.url, "/live.js") || !strcmp(c.url, "/live.css");
-    if (c.status && c.status != 403 && (!host || (strcmp(host, server.hosts[0]) && strcmp(host, server.hosts[1]))))
+    if (c.status && !refused(c.status) && (!host || (strcmp(host, server.access.hosts[0]) && strcmp(host, server.access.hosts[1]))))
       abort();
-    if (c.status && c.status != 403 && !page && (!token || strcmp(token, server.token)))
+    if (c.status && !refused(c.status) && !page && (!token || strcmp(token, server.access.token)))
       abort(); /* the server answered without the token */
     struct {
       live_text body;

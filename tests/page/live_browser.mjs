@@ -415,7 +415,18 @@ await test("keys alone reach everything", async (want) => {
   for (const wanted of ["Section plane", "Measure", "Export"]) want(names.has(wanted), `${wanted} cannot be reached by Tab`);
 });
 
+await test("a copied link says that it carries the key", async (want) => {
+  await page.evaluate(() => { navigator.clipboard.writeText = async (text) => { window.copied = text; }; });
+  await page.getByRole("button", { name: "Copy link" }).click();
+  await page.waitForFunction(() => document.querySelector(".parameters .said").textContent !== "");
+  const said = await page.locator(".parameters .said").textContent(), copied = await page.evaluate(() => window.copied);
+  want(copied.includes(new URL(url).hash) && /contains this view's key/.test(said), `copied ${copied}, said: ${said}`);
+});
+
 await test("export downloads what was asked", async (want) => {
+  const offered = await page.evaluate(() => [...document.querySelector(".exports select").options].map((o) => o.value));
+  const told = (await (await fetch(new URL(url).origin + "/formats", { headers: { "X-VS-Token": new URL(url).hash.slice(1) } })).json()).map((f) => f.name);
+  want(told.length > 15 && offered.join() === told.filter((name) => !/^x3d-/.test(name)).join(), `offered: ${offered}`);
   await page.getByLabel("Format", { exact: true }).selectOption("stl");
   const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Export" }).click()]);
   want(download.suggestedFilename() === "towers.stl", download.suggestedFilename());

@@ -16,6 +16,7 @@ const SLOW_SECONDS = 0.12; // If a model takes more seconds than this, it is sho
 const TALK_MOST = 20000; // Greatest number of characters of output that are shown.
 // Returns the end of a text, from a whole character on.
 const tail = (text, most) => text.length <= most ? text : text.slice(-most).replace(/^[\udc00-\udfff]/, "");
+const VIEWER_FORMATS = new Set(["x3d-packed", "x3d-steps"]), FIRST_FORMAT = "stl"; // FIRST_FORMAT is chosen when the page opens.
 const GHOSTS_MOST = 50000; // Greatest number of parts of a model for which cuts are searched when the cursor moves.
 
 export class Live {
@@ -46,7 +47,7 @@ export class Live {
     this.viewer.onRay = (ray) => { if (this.scened?.input) this.#input("press", ray), this.#input("release", ray); };
     this.viewer.onOrigin = (o) => this.#showPlace(o);
     this.note = el("div", { class: "stale-note glass", role: "alert", hidden: true });
-    this.formats = el("select", { "aria-label": "Format" }, ["stl", "3mf", "glb", "obj", "ply", "off", "svg", "pdf", "dxf", "html", "x3d", "scad", "pov", "exr", "tree"].map((f) => el("option", { value: f }, "." + f)));
+    this.formats = el("select", { "aria-label": "Format" });
     this.exportButton = el("button", { type: "button", class: "button", onclick: () => this.export() }, "Export");
     this.making = new Making(this.viewer, {
       make: (format, values, options) => this.make(format, values, options), scene: (values, options) => this.scene(values, options),
@@ -96,6 +97,7 @@ export class Live {
   }
 
   async #start() {
+    await this.#listFormats();
     for (const [name, value] of this.server.values) await this.set(name, value);
     await this.readSource();
     this.#listen();
@@ -472,17 +474,32 @@ export class Live {
     }
   }
 
+  // Offers the formats of the program; those that only the viewer reads are omitted. A second notation of a suffix has
+  // its name, too.
+  async #listFormats() {
+    const answer = await ask("/formats");
+    if (!answer.ok) return;
+    const own = (await answer.json()).filter((f) => !VIEWER_FORMATS.has(f.name)), met = new Set();
+    this.suffixes = new Map(own.map((f) => [f.name, f.suffix]));
+    this.formats.replaceChildren(...own.map((f) => {
+      const words = "." + f.suffix + (met.has(f.suffix) ? ` (${f.name})` : "");
+      met.add(f.suffix);
+      return el("option", { value: f.name, title: f.doc }, words);
+    }));
+    this.formats.value = FIRST_FORMAT;
+  }
+
   async export() {
-    const format = this.formats.value;
+    const format = this.formats.value, suffix = this.suffixes.get(format);
     this.exportButton.disabled = true;
     this.stopButton.disabled = false;
     const answer = await ask(`/export?format=${format}&size=1280x800`);
     this.exportButton.disabled = false;
     if (!answer.ok) return this.#status(await answer.text(), true);
     const url = URL.createObjectURL(await answer.blob());
-    el("a", { href: url, download: (this.state?.model || "model").split("/").pop().replace(/\.[^.]*$/, "") + "." + format }).click();
+    el("a", { href: url, download: (this.state?.model || "model").split("/").pop().replace(/\.[^.]*$/, "") + "." + suffix }).click();
     setTimeout(() => URL.revokeObjectURL(url), 60000);
-    this.#status("wrote ." + format, false);
+    this.#status("wrote ." + suffix, false);
   }
 
   #splitter() {

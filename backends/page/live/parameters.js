@@ -43,11 +43,12 @@ export class Parameters {
       const address = await link();
       try {
         await navigator.clipboard.writeText(address);
-        this.#say("The link is copied." + (lasting ? "" : " It works while this view runs."));
+        this.#say("The link is copied." +
+                  (lasting ? "" : " It contains this view's key: whoever has it can change the model while this view runs."));
       } catch {
         this.#say(address);
       }
-    }, { title: "An address that opens this view with these values" });
+    }, { title: "An address that opens this view with these values. It contains the view's key" });
     this.root = el("details", { class: "parameters glass", open: innerWidth > 720, hidden: true }, el("summary", {}, "Parameters"), this.list,
       el("div", { class: "write" }, this.writeButton, this.resetButton),
       el("h3", { class: "apart" }, "Sets of values"), this.setList,
