@@ -175,7 +175,8 @@ enum {
   VS_EVAL_PASS = 64u,   /* the text has run before: (break) neither pauses the program nor warns */
   /* Checks (check-expect ...) wait for vs_check_next. Without this flag and without VS_EVAL_PASS they run at the text's
    * end, and each failed check is a warning. */
-  VS_EVAL_CHECK_LATER = 128u
+  VS_EVAL_CHECK_LATER = 128u,
+  VS_EVAL_TRY = 256u    /* the text is unsaved: it neither writes nor deletes files */
 };
 
 /* Evaluate the top-level forms of a file or a text in order, in the single program of this interpreter. Both functions

@@ -124,7 +124,8 @@ static void aside_make(live_aside *a, live_wish *w) {
   if (aside_ready(a)) {
     aside_values(a, w, true);
     outcome = vs_restart(a->scheme);
-    if (outcome == VS_OUTCOME_DONE) outcome = vs_eval_file(a->scheme, a->options->model, 0);
+    if (outcome == VS_OUTCOME_DONE) outcome = vs_eval_file(a->scheme, a->options->model,
+                                                          live_trial_is(a->publish) ? VS_EVAL_TRY : 0);
     if (outcome == VS_OUTCOME_DONE) outcome = vs_write_drawing_to(a->scheme, w->name, &o, aside_bytes, &bytes);
     aside_values(a, w, false);
     vs_interrupt_clear(a->scheme);

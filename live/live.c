@@ -45,6 +45,7 @@ typedef struct live_follower {
                         * from that of the model's text */
   live_said said;      /* messages of the current run */
   bool busy_told;
+  bool trial;          /* whether the last run of the model was that of an unsaved text */
   double began;
   unsigned version, run; /* version: number of the latest scene; run: number of the latest run */
   bool kept;           /* whether a client waits for the current output, so that only the window's Stop button ends
@@ -204,7 +205,8 @@ static void publish_state(live *l, bool good, vs_outcome outcome) {
   const char *const yes[] = { "false", "true" };
   live_putf(&t, "{\"version\":%u,\"run\":%u,\"good\":%s,\"stopped\":%s,", l->version, l->run, yes[good],
             yes[outcome == VS_OUTCOME_INTERRUPTED]);
-  live_putf(&t, "\"prompted\":%s,\"follows\":%s,\"seconds\":", yes[l->prompted], yes[l->follows]);
+  live_putf(&t, "\"prompted\":%s,\"follows\":%s,\"trial\":%s,\"seconds\":", yes[l->prompted], yes[l->follows],
+            yes[l->trial]);
   live_number(&t, now() - l->began);
   if (l->files.count > 0) { /* the state contains a hash of the model's file as it was read; when the hash changes, a
                              * window reads the source again */
@@ -212,7 +214,12 @@ static void publish_state(live *l, bool good, vs_outcome outcome) {
     live_putf(&t, ",\"file\":\"%lld.%ld.%lld.%llu\"", (long long)f->seconds, (long)f->nanoseconds, (long long)f->size,
               (unsigned long long)f->inode);
   }
-  live_puts(&t, ",\"model\":");
+  live_puts(&t, ",\"files\":[");
+  for (size_t i = 0; i < l->files.count; i++) {
+    if (i > 0) live_puts(&t, ",");
+    live_json(&t, l->files.at[i].path);
+  }
+  live_puts(&t, "],\"model\":");
   live_json(&t, l->follows ? "prompt" : l->options->model);
   live_puts(&t, ",");
   live_said_write(&l->said, &t);
@@ -333,7 +340,8 @@ static vs_outcome run_files(live *l) {
   live_files_note(&l->files, l->options->model);
   l->prompted = false;
   vs_outcome outcome = vs_restart(l->scheme);
-  return outcome == VS_OUTCOME_DONE ? vs_eval_file(l->scheme, l->options->model, 0) : outcome;
+  l->trial = live_trial_is(&l->publish);
+  return outcome == VS_OUTCOME_DONE ? vs_eval_file(l->scheme, l->options->model, l->trial ? VS_EVAL_TRY : 0) : outcome;
 }
 
 /* Runs the model. Many editors empty a file before they write it, so a file that changed during the read may be
@@ -456,6 +464,7 @@ static bool run_wish(live *l, live_wish *w, bool again) {
     char *text = w->value[0] != 0 ? w->value : NULL;
     if (text != NULL) w->value = NULL;
     live_trial_put(&l->publish, text);
+    l->coarse = w->coarse;
     again = true;
   } else {
     if (again) run_model(l);

@@ -214,6 +214,13 @@ bool live_model_read(live_publish *p, const char *model, const char *path, char 
   return *text != NULL;
 }
 
+bool live_trial_is(live_publish *p) {
+  pthread_mutex_lock(&p->lock);
+  bool trial = p->trial != NULL;
+  pthread_mutex_unlock(&p->lock);
+  return trial;
+}
+
 void live_trial_put(live_publish *p, char *text) {
   pthread_mutex_lock(&p->lock);
   char *old = p->trial;

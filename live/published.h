@@ -97,6 +97,7 @@ void live_wish_cancel(live_publish *p, const char *id); /* cancels the request o
 /* Reads a file as vs_host.read_file does. If there is an unsaved text of the model, returns that text. */
 bool live_model_read(live_publish *p, const char *model, const char *path, char **text, size_t *length,
                      const char **why);
+bool live_trial_is(live_publish *p); /* returns true if there is an unsaved text */
 void live_trial_put(live_publish *p, char *text); /* Sets the unsaved text, and takes over its memory. NULL: returns to
                                                    * the file. */
 

@@ -252,6 +252,7 @@ static int64_t open_stream(void *session, const char *path, vs_io_mode mode, con
     if (!vs_session_read(s, path, true, &fresh.text, &fresh.length, why)) return -1;
   } else {
     if (s->options.untrusted) return refuse(s, "writing files is switched off", why), -1;
+    if (s->flags & VS_EVAL_TRY) return refuse(s, "save the program first: an unsaved one writes no files", why), -1;
     fresh.file = fopen(path, mode == VS_IO_WRITE ? "wb" : "ab");
     if (!fresh.file) return refuse(s, errno == EACCES ? "not permitted to write it" : reason(errno), why), -1;
     if (mode == VS_IO_WRITE && !vs_known_files_add(&s->inputs, path, fileno(fresh.file), true))
@@ -336,6 +337,7 @@ static bool exists(void *session, const char *path) {
 static bool remove_file(void *session, const char *path, const char **why) {
   vs_session *s = session;
   if (s->options.untrusted) return refuse(s, "deleting files is switched off", why);
+  if (s->flags & VS_EVAL_TRY) return refuse(s, "save the program first: an unsaved one deletes no files", why);
   return unlink(path) == 0 || refuse(s, errno == EACCES ? "not permitted to delete it" : reason(errno), why);
 }
 

@@ -5,6 +5,8 @@ import { readPacked } from "../packed.js";
 import { Model, modelFromPacked } from "../model.js";
 import { el } from "../dom.js";
 import { Source } from "./source.js";
+import { isWhole } from "./scheme.js";
+import { Conflict } from "./conflict.js";
 import { Parameters } from "./parameters.js";
 import { Construction, Timeline } from "./timeline.js";
 import { Making } from "./making.js";
@@ -13,11 +15,23 @@ import { Compare } from "./compare.js";
 let ask; // ask(path, options) sends a request to the server and returns a promise of a Response, as fetch does.
 
 const SLOW_SECONDS = 0.12; // If a model takes more seconds than this, it is shown coarser while a slider moves.
+const STILL_MS = 900; // After this time without a key, a slow model is drawn whole.
 const TALK_MOST = 20000; // Greatest number of characters of output that are shown.
 // Returns the end of a text, from a whole character on.
 const tail = (text, most) => text.length <= most ? text : text.slice(-most).replace(/^[\udc00-\udfff]/, "");
 const VIEWER_FORMATS = new Set(["x3d-packed", "x3d-steps"]), FIRST_FORMAT = "stl"; // FIRST_FORMAT is chosen when the page opens.
 const GHOSTS_MOST = 50000; // Greatest number of parts of a model for which cuts are searched when the cursor moves.
+
+// Returns true if a file's ending is one of Scheme.
+const isScheme = (path) => !/\.[^./]+$/.test(path) || /\.(vs|scm|ss|sld|sls)$/.test(path);
+
+// Keep a choice of the user for the next page. Without storage, the browser forgets it with the page.
+function remember(name, value) {
+  try { localStorage.setItem("visualscheme " + name, value); } catch { /* no storage */ }
+}
+function remembered(name) {
+  try { return localStorage.getItem("visualscheme " + name); } catch { return null; }
+}
 
 export class Live {
   // server: ask, the function above; values, the parameters set at first, as [name, value]; link(values), the address
@@ -30,6 +44,8 @@ export class Live {
     this.status = el("span", { class: "status", role: "status", title: "How long the last run took" }, "connecting");
     this.saveButton = el("button", { type: "button", class: "button save", title: "Save (Ctrl S)", disabled: true, onclick: () => this.save() }, "Save");
     this.stopButton = el("button", { type: "button", class: "button", title: "Stop what runs", disabled: true, onclick: () => ask("/stop", { method: "POST" }) }, "Stop");
+    this.typingButton = el("button", { type: "button", class: "button typing", title: "Draw the unsaved text while you type", onclick: () => this.#setTyping(!this.draws) }, "As you type");
+    this.conflict = new Conflict({ mine: () => this.#keepMine(), theirs: () => this.#takeTheirs() });
     this.editorPlace = el("div", { class: "editor" });
     this.hintPlace = el("div");
     this.messages = el("div", { class: "messages", role: "log", "aria-label": "Messages", hidden: true });
@@ -38,7 +54,7 @@ export class Live {
     const consoleArea = el("div", { class: "console" }, this.printed, el("label", {}, "›", this.prompt));
     this.viewPlace = el("div", { class: "view" });
     this.split = el("button", { type: "button", class: "split", "aria-label": "Width of the source: left and right arrow keys" });
-    root.append(el("section", { class: "pane", "aria-label": "Source" }, el("div", { class: "top" }, this.name, this.status, this.stopButton, this.saveButton), this.editorPlace, this.hintPlace, this.messages, consoleArea), this.split, this.viewPlace);
+    root.append(el("section", { class: "pane", "aria-label": "Source" }, el("div", { class: "top" }, this.name, this.status, this.stopButton, this.typingButton, this.saveButton), this.conflict.notice, this.editorPlace, this.hintPlace, this.messages, consoleArea), this.split, this.viewPlace, this.conflict.root);
 
     this.viewer = new Viewer(this.viewPlace);
     window.visualscheme = this.viewer;
@@ -71,6 +87,7 @@ export class Live {
       save: () => this.save(),
       cursor: (place) => this.#atCursor(place),
       attempt: (text) => this.#attempt(text),
+      typed: (text) => this.#typed(text),
       check: async (text) => {
         const answer = await ask("/check", { method: "POST", body: text });
         return answer.ok ? (await answer.json()).findings : [];
@@ -79,6 +96,7 @@ export class Live {
       complete: async (prefix) => (await ask("/names?prefix=" + encodeURIComponent(prefix))).json(),
     });
     this.hintPlace.replaceWith(this.source.hint);
+    this.#setTyping(remembered("draws-as-typed") !== "no");
     this.prompt.addEventListener("keydown", (event) => this.#promptKey(event));
     this.history = [];
     this.pieces = new Map();
@@ -187,21 +205,37 @@ export class Live {
     // The page follows a prompt in a terminal, so there is no source.
     document.getElementById("live").classList.toggle("follows", state.follows);
     this.#outcome(state);
-    this.#messages(state.messages, state.more);
-    this.source.diagnose(state.messages.filter((m) => this.#isModel(m.at.file)));
+    // Messages about a text that is being typed appear beside its lines only.
+    const inText = (m) => this.#isModel(m.at.file) && m.at.line > 0;
+    this.#messages(state.trial ? state.messages.filter((m) => !inText(m)) : state.messages, state.more);
+    this.source.diagnose(state.messages.filter((m) => this.#isModel(m.at.file)), state.trial ? this.tried : null);
     this.#said(state);
-    this.parameters.show(state.good ? state.parameters : this.#known(state.parameters));
-    this.viewPlace.classList.toggle("stale", !state.good);
-    this.note.hidden = state.good;
-    this.note.textContent = state.good ? "" : this.viewer.model ? "The last model that could be made" : "Nothing can be shown yet: the program has an error.";
+    if (!state.good && !state.trial) await this.#follow(state);
+    this.parameters.show(state.good ? state.parameters : this.#known(state));
+    if (state.good || !state.trial) { // A mistake while typing leaves the picture as it is.
+      this.viewPlace.classList.toggle("stale", !state.good);
+      this.note.hidden = state.good;
+      this.note.textContent = state.good ? "" : this.viewer.model ? "The last model that could be made" : "Nothing can be shown yet: the program has an error.";
+    }
     if (state.good) this.compare.renew();
     this.#scene(state.scene);
-    if (!this.source.dirty && this.source.text !== undefined && state.file !== this.file) {
-      // The picture comes first, because the editor takes some time for a new text.
-      if (this.viewer.stage.dirty) await this.viewer.drawn();
-      if (!this.source.dirty) await this.readSource(true), this.file = state.file;
-    }
+    if (state.good) await this.#follow(state);
     this.finished = (this.finished || 0) + 1; // Number of states that were shown, for tests.
+  }
+
+  // Reads the model's file again if it has changed. If the page's text has changed as well, says so.
+  async #follow(state) {
+    if (this.source.text === undefined || state.file === this.file || state.trial) return;
+    // The picture comes first, because the editor takes some time for a new text.
+    if (this.viewer.stage.dirty) await this.viewer.drawn();
+    if (!this.source.dirty) {
+      await this.readSource(true);
+      this.file = state.file;
+    } else {
+      const { hash } = await this.#onDisk();
+      this.file = state.file;
+      if (hash && hash !== this.hash) this.conflict.tell(state.model, () => this.#showConflict());
+    }
   }
 
   // Shows the model's output, and below it the later input of the prompt, with its results.
@@ -244,11 +278,13 @@ export class Live {
     this.inputting = false;
   }
 
-  // Returns the parameters after a failed run. The run has defined the parameters up to its failure; the others stay
-  // unchanged.
-  #known(met) {
-    const now = new Map(met.map((p) => [p.name, p])), before = this.parameters.infos || [], names = new Set(before.map((p) => p.name));
-    return [...before.map((p) => now.get(p.name) || p), ...met.filter((p) => !names.has(p.name))];
+  // Returns the parameters after a failed run. The run has defined the parameters up to its failure; of the others,
+  // those stay unchanged that the program still defines, in its text or in a file that its text names or that it read.
+  #known({ parameters: met, trial, files }) {
+    const text = (trial ? this.tried : this.source.text) ?? "", now = new Map(met.map((p) => [p.name, p])), before = this.parameters.infos || [], names = new Set(before.map((p) => p.name));
+    const defined = new Set([...text.matchAll(/\(define-parameter\s+([^\s()]+)/g)].map((m) => m[1]));
+    const stays = (p) => this.#isModel(p.at.file) ? defined.has(p.name) : files.includes(p.at.file) || text.includes(p.at.file.split("/").pop().replace(/\.[^.]*$/, ""));
+    return [...before.filter((p) => now.has(p.name) || stays(p)).map((p) => now.get(p.name) || p), ...met.filter((p) => !names.has(p.name))];
   }
 
   #isModel(file) { return file && (file === this.state?.model || file.split("/").pop() === this.state?.model.split("/").pop()); }
@@ -332,34 +368,75 @@ export class Live {
     this.saveButton.disabled = true;
   }
 
-  async save(force = false) {
-    const text = this.source.text;
-    const answer = await ask("/source?hash=" + this.hash, { method: "POST", body: text });
-    if (answer.status === 409) {
-      if (!force && !confirm("The file has changed on disk since it was read here. Write over it?")) return;
-      const now = await (await ask("/source")).json();
-      this.hash = now.hash;
-      return this.save(true);
-    }
+  async save() {
+    const text = this.source.text, answer = await ask("/source?hash=" + this.hash, { method: "POST", body: text });
+    if (answer.status === 409) return this.#showConflict();
     if (!answer.ok) return this.#status(await answer.text(), true);
     this.hash = (await answer.json()).hash;
+    this.conflict.close();
     this.source.saved(text);
     this.saveButton.disabled = !this.source.dirty;
   }
 
+  // ---- a file that changed on disk while the page has changes ----
+
+  async #onDisk() {
+    const answer = await ask("/source");
+    return answer.ok ? answer.json() : {};
+  }
+  async #showConflict() {
+    const { text, hash } = await this.#onDisk();
+    if (hash === undefined) return this.#status("the file cannot be read", true);
+    this.disk = { text, hash };
+    this.conflict.open(this.source.text, text);
+  }
+  #keepMine() {
+    this.hash = this.disk.hash;
+    return this.save();
+  }
+  async #takeTheirs() {
+    this.conflict.close();
+    this.hash = this.disk.hash;
+    this.source.load(this.disk.text);
+    this.saveButton.disabled = true;
+    await this.#attempt(this.disk.text);
+  }
+
+  // ---- drawing while the user types ----
+
+  #setTyping(on) {
+    this.draws = on;
+    this.typingButton.setAttribute("aria-pressed", String(on));
+    remember("draws-as-typed", on ? "yes" : "no");
+    if (on && this.source.dirty) this.#typed(this.source.text);
+  }
+  #typed(text) {
+    if (!this.draws || this.state?.follows) return;
+    if (isScheme(this.state?.model || "") && !isWhole(text)) return;
+    this.#attempt(text);
+  }
+
   // Requests the model of the current, unsaved text. Only one request is pending at a time; the last text is always
-  // sent.
+  // sent. A slow model is first drawn coarser, and whole after a moment without another text.
   async #attempt(text) {
     this.wanted = text;
+    clearTimeout(this.refining);
     if (this.attempting) return;
     this.attempting = true;
     while (this.wanted !== undefined) {
-      const next = this.wanted;
+      const next = this.wanted, coarse = this.state?.seconds > SLOW_SECONDS || this.rough;
       this.wanted = undefined;
-      await ask("/try", { method: "POST", body: next === this.source.base ? "" : next });
+      await this.#try(next, coarse);
       await new Promise((go) => setTimeout(go, 30));
+      if (coarse && this.wanted === undefined) this.refining = setTimeout(() => this.#try(next, false), STILL_MS);
     }
     this.attempting = false;
+  }
+  // rough: true while the picture is that of a coarse run, whose time says little about that of a whole one.
+  #try(text, coarse) {
+    this.tried = text;
+    this.rough = coarse;
+    return ask("/try" + (coarse ? "?coarse=1" : ""), { method: "POST", body: text === this.source.base ? "" : text });
   }
 
   // ---- parameters ----

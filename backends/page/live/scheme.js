@@ -94,3 +94,16 @@ export function definitions(text) {
   }
   return found;
 }
+
+// Returns true if a program reads whole: each bracket, string and comment is closed, and no bracket is without a partner.
+export function isWhole(text) {
+  const partner = { ")": "(", "]": "[", "}": "{" }, open = [];
+  let whole = true;
+  tokens(text, (kind, from, to) => {
+    if (kind === "open") open.push(text[from]);
+    else if (kind === "close") whole &&= open.pop() === partner[text[from]];
+    else if (kind === "string") whole &&= to - from > 1 && text[to - 1] === '"' && /(^|[^\\])(\\\\)*"$/.test(text.slice(from + 1, to));
+    else if (kind === "comment" && text[from] === "#") whole &&= text.endsWith("|#", to);
+  });
+  return whole && open.length === 0;
+}

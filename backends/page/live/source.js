@@ -11,6 +11,7 @@ import { tags } from "@lezer/highlight";
 import { items, around, tokens, definitions } from "./scheme.js";
 import { el } from "../dom.js";
 
+const TYPING_MS = 300, TYPING = ["input", "delete", "move", "undo", "redo"]; // Events of the user that change the text.
 const FORMS = new Set("define define-parameter define-syntax define-record-type define-primitive lambda let let* letrec letrec* named-lambda if cond case when unless begin do set! and or else syntax-rules guard parameterize load require include import import".split(" "));
 
 const scheme = StreamLanguage.define({
@@ -128,7 +129,8 @@ const marks = StateField.define({
 
 export class Source {
   // describe(name) returns a promise of the calling form of a name of the language: { call, keywords, doc }.
-  constructor(place, { changed, save, cursor, complete, check, attempt, describe }) {
+  // typed(text) receives the text 300 ms after the last key. attempt(text) receives each step of a number that is turned.
+  constructor(place, { changed, save, cursor, complete, check, attempt, typed, describe }) {
     this.base = undefined;
     this.check = check;
     this.attempt = attempt;
@@ -136,6 +138,7 @@ export class Source {
     this.descriptions = new Map(); // maps a name to the promise of its description
     this.hint = el("div", { class: "hint-line", role: "status", "aria-label": "How it is called", hidden: true });
     this.told = []; // Messages of the last run about this text.
+    this.toldOf = null; // The unsaved text that this run had; null: it had the file's text.
     this.found = []; // Findings of the last check of the current text.
     const names = async (context) => {
       const word = context.matchBefore(/[^\s()\[\]{}"';`,]+/);
@@ -157,6 +160,10 @@ export class Source {
             changed();
             clearTimeout(this.checking);
             this.checking = setTimeout(() => this.#look(), 350);
+            if (update.transactions.some((t) => TYPING.some((kind) => t.isUserEvent(kind)) && !t.isUserEvent("input.turn"))) {
+              clearTimeout(this.typing);
+              this.typing = setTimeout(() => typed(this.text), TYPING_MS);
+            }
           }
           if (update.docChanged || update.selectionSet) {
             clearTimeout(this.hinting);
@@ -298,12 +305,14 @@ export class Source {
       at: { line: f.line, column: f.column, endLine: f.end_line, endColumn: f.end_column } }));
     this.#show();
   }
-  diagnose(messages) {
+  // text: the text that was run, if it is an unsaved one; otherwise the messages are about the file's text.
+  diagnose(messages, text = null) {
     this.told = messages;
+    this.toldOf = text;
     this.#show();
   }
   #show() {
-    const told = this.dirty ? [] : this.told, said = new Set(told.map((m) => m.at.line + ":" + m.at.column));
+    const told = (this.toldOf ?? this.base) === this.text ? this.told : [], said = new Set(told.map((m) => m.at.line + ":" + m.at.column));
     const messages = [...told, ...this.found.filter((m) => !said.has(m.at.line + ":" + m.at.column))];
     const length = this.view.state.doc.length;
     const found = messages.filter((m) => m.at.line > 0).map((m) => {
