@@ -229,7 +229,7 @@ fuzz: ## install clang's libFuzzer and let each fuzzer of tests/fuzz run T secon
 fuzzers: $(FUZZERS:%=$(BUILD)/fuzz_%)
 
 # The server is no part of the library.
-LIVE_FUZZED = $(patsubst %,$(BUILD)/obj/live/%.o,serve access waiting published chunks live_text model_files http) $(BUILD)/live_assets.o
+LIVE_FUZZED = $(patsubst %,$(BUILD)/obj/live/%.o,serve access waiting published chunks live_text live_options model_files http) $(BUILD)/live_assets.o
 $(BUILD)/fuzz_live $(BUILD)/tools/replay_live: $(LIVE_FUZZED)
 
 $(BUILD)/fuzz_%: tests/fuzz/fuzz_%.c tests/fuzz/fuzz.h $(BUILD)/libvisualscheme.a

@@ -960,11 +960,6 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     return CLI_BAD_USAGE;
   }
   if (o->command != CLI_COMMAND_NONE && !command_files(o, takes)) return CLI_BAD_USAGE;
-  if (o->command == CLI_COMMAND_view && o->untrusted) {
-    fputs("vs view: --untrusted works only with vs FILE: the window of vs view can change the model and run it\n",
-          stderr);
-    return CLI_BAD_USAGE;
-  }
   if (o->command == CLI_COMMAND_doc && o->untrusted) {
     fputs("vs doc: --untrusted works only with vs FILE: for its pictures vs doc calls each procedure of the program\n",
           stderr);

@@ -56,6 +56,11 @@ live_refusal live_access_refuse(const live_http *http, struct MHD_Connection *c,
   return (live_refusal){ 0, NULL };
 }
 
+void live_access_hosts(live_access *a, unsigned port) {
+  snprintf(a->hosts[0], sizeof a->hosts[0], "127.0.0.1:%u", port);
+  snprintf(a->hosts[1], sizeof a->hosts[1], "localhost:%u", port);
+}
+
 bool live_access_word(char out[33]) {
   unsigned char bytes[16];
   int file = open("/dev/urandom", O_RDONLY | O_CLOEXEC);

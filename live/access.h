@@ -16,6 +16,7 @@ typedef struct { unsigned status; const char *why; } live_refusal;
  * in bytes. */
 live_refusal live_access_refuse(const live_http *http, struct MHD_Connection *c, const live_access *a, const char *url,
                                 size_t most);
+void live_access_hosts(live_access *a, unsigned port); /* sets the accepted hosts */
 bool live_access_word(char out[33]); /* Writes 32 random hexadecimal digits. Returns false if the system has no random
                                       * numbers. */
 

@@ -8,7 +8,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "live/model_files.h"
 #include "model/signals.h"
 
 enum { WAIT_MS = 1000 };
@@ -17,6 +16,7 @@ enum { WAIT_MS = 1000 };
 
 static void aside_diagnose(void *context, const vs_diagnostic *d) {
   live_aside *a = context;
+  if (a->tells && a->writing) live_said_diagnose(&a->messages, d);
   if (d->severity != VS_SEVERITY_ERROR || a->said.length > 0) return;
   if (d->at.file != NULL && d->at.line > 0) {
     const char *slash = strrchr(d->at.file, '/');
@@ -29,7 +29,7 @@ static void aside_diagnose(void *context, const vs_diagnostic *d) {
 static void aside_progress(void *context, const vs_progress *p) {
   live_aside *a = context;
   live_text t = { 0 };
-  if (a->now == NULL) return;
+  if (a->now == NULL || a->now->id[0] == 0) return;
   live_puts(&t, "{\"id\":");
   live_json(&t, a->now->id);
   live_puts(&t, ",\"phase\":");
@@ -51,13 +51,12 @@ static bool aside_poll(void *context) {
 
 static bool aside_read(void *context, const char *path, char **text, size_t *length, const char **why) {
   live_aside *a = context;
-  return live_model_read(a->publish, a->options->model, path, text, length, why);
+  return live_model_read(a->publish, a->options, path, text, length, why);
 }
 
 static bool aside_list(void *context, const char *path, bool (*take)(void *to, const char *name, size_t length),
                        void *to, const char **why) {
-  (void)context;
-  return live_folder_list(path, take, to, why);
+  return live_options_list(((const live_aside *)context)->options, path, take, to, why);
 }
 
 static bool aside_bytes(void *context, const void *bytes, size_t count) {
@@ -114,19 +113,33 @@ static void aside_picture(const char *text, vs_output_options *o) {
   memcpy(o->camera, c, sizeof c);
 }
 
+/* Sends the messages of an output to the windows. */
+static void tell_messages(live_aside *a) {
+  live_text t = { 0 };
+  if (a->messages.shown == 0) return;
+  live_puts(&t, "{");
+  live_said_write(&a->messages, &t);
+  live_puts(&t, "}");
+  if (!t.failed) live_tell(a->publish, "messages", t.at);
+  live_text_free(&t);
+}
+
 static void aside_make(live_aside *a, live_wish *w) {
   live_text bytes = { 0 };
   vs_output_options o = a->options->output;
   vs_outcome outcome = VS_OUTCOME_MACHINE;
   a->now = w;
   a->said.length = 0;
+  live_said_begin(&a->messages);
   aside_picture(w->value, &o);
   if (aside_ready(a)) {
     aside_values(a, w, true);
     outcome = vs_restart(a->scheme);
     if (outcome == VS_OUTCOME_DONE) outcome = vs_eval_file(a->scheme, a->options->model,
                                                           live_trial_is(a->publish) ? VS_EVAL_TRY : 0);
+    a->writing = true;
     if (outcome == VS_OUTCOME_DONE) outcome = vs_write_drawing_to(a->scheme, w->name, &o, aside_bytes, &bytes);
+    a->writing = false;
     aside_values(a, w, false);
     vs_interrupt_clear(a->scheme);
   }
@@ -137,11 +150,12 @@ static void aside_make(live_aside *a, live_wish *w) {
                   a->said.length > 0 ? a->said.length : strlen("it could not be made"));
   }
   a->now = NULL;
+  tell_messages(a);
   live_wish_finish(a->publish, w, outcome, bytes);
 }
 
 bool live_aside_turn(live_aside *a, long wait_ms) {
-  live_wish *w = live_wish_take(a->publish, &a->publish->asides, wait_ms);
+  live_wish *w = live_wish_take(a->publish, a->queue, wait_ms);
   if (w != NULL) aside_make(a, w);
   return w != NULL;
 }
@@ -167,4 +181,5 @@ void live_aside_close(live_aside *a) {
   if (a->started) pthread_join(a->thread, NULL);
   vs_free(a->scheme);
   live_text_free(&a->said);
+  live_said_free(&a->messages);
 }

@@ -6,34 +6,31 @@
  * good scene. */
 #include "live/live.h"
 
-#include <spawn.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
-#include <unistd.h>
 
 #include "live/aside.h"
 #include "live/model_files.h"
+#include "live/open_browser.h"
 #include "live/said.h"
 #include "live/scene_host.h"
 #include "live/serve.h"
 
-extern char **environ;
-
 /* Times in milliseconds. LOOK_MS: between checks of the files while a window waits. LOOK_ALONE_MS: between checks while
  * no window is open. FRAME_MS: duration of a frame. */
 enum { LOOK_MS = 8, LOOK_ALONE_MS = 40, FRAME_MS = 40 };
-enum { COARSE_SEGMENTS = 12, BROWSER_WORDS = 30 };
+enum { COARSE_SEGMENTS = 12 };
 
 typedef struct live_follower {
   const live_options *options;
-  live_options own;    /* options of a view that follows a prompt, stored here */
+  live_options own;    /* the options, which the view changes where it follows a prompt or is confined */
   bool follows;        /* whether the view follows a prompt, so that the interpreter belongs to the caller */
   live_publish publish;
   live_server server;
   vs_scheme *scheme;
   live_files files;
-  live_aside aside;
+  live_aside aside, exporter; /* aside: makes outputs with other values. exporter: exports the current model */
   live_text released;  /* text with a byte for each parameter of the options: 1 after a window has set the parameter */
   bool coarse;         /* whether a slider is moving, so that round shapes are coarse, unless the options set a
                         * tolerance */
@@ -48,8 +45,9 @@ typedef struct live_follower {
   bool trial;          /* whether the last run of the model was that of an unsaved text */
   double began;
   unsigned version, run; /* version: number of the latest scene; run: number of the latest run */
-  bool kept;           /* whether a client waits for the current output, so that only the window's Stop button ends
-                        * it */
+  bool kept;           /* whether a client waits for the current output, so that only a saved file and the window's
+                        * Stop button end it */
+  bool moved;          /* whether frames or actions of the user have changed the scene since the model's last run */
   bool overtaken;      /* whether the current run was interrupted because a window or a file requires another run */
   bool ended_early;    /* whether a window's request interrupted the last run */
   double looked;       /* in seconds. looked: clock at the last check for a newer request. whole: duration of the last
@@ -111,6 +109,7 @@ static bool overtaken(live *l) {
   if (1e3 * (time - l->looked) < LOOK_MS) return false;
   l->looked = time;
   if (live_files_newer(&l->files)) return true;
+  if (l->kept) return false;
   if (time - l->began <= patience(l) || !live_wish_renews(&l->publish)) return false;
   return l->ended_early = true;
 }
@@ -118,19 +117,18 @@ static bool overtaken(live *l) {
 static bool host_poll(void *context) {
   live *l = context;
   if (*l->options->ended != 0) return true;
-  return l->overtaken = l->overtaken || (!l->kept && overtaken(l));
+  return l->overtaken = l->overtaken || overtaken(l);
 }
 
 static bool host_read(void *context, const char *path, char **text, size_t *length, const char **why) {
   live *l = context;
   live_files_note(&l->files, path);
-  return live_model_read(&l->publish, l->options->model, path, text, length, why);
+  return live_model_read(&l->publish, l->options, path, text, length, why);
 }
 
 static bool host_list(void *context, const char *path, bool (*take)(void *to, const char *name, size_t length),
                       void *to, const char **why) {
-  (void)context;
-  return live_folder_list(path, take, to, why);
+  return live_options_list(((const live *)context)->options, path, take, to, why);
 }
 
 /* Called for the Stop button: interrupts the current run, or the run that waits. If there is none, does nothing, so
@@ -205,8 +203,8 @@ static void publish_state(live *l, bool good, vs_outcome outcome) {
   const char *const yes[] = { "false", "true" };
   live_putf(&t, "{\"version\":%u,\"run\":%u,\"good\":%s,\"stopped\":%s,", l->version, l->run, yes[good],
             yes[outcome == VS_OUTCOME_INTERRUPTED]);
-  live_putf(&t, "\"prompted\":%s,\"follows\":%s,\"trial\":%s,\"seconds\":", yes[l->prompted], yes[l->follows],
-            yes[l->trial]);
+  live_putf(&t, "\"prompted\":%s,\"follows\":%s,\"trial\":%s,\"reads\":%s,\"seconds\":", yes[l->prompted],
+            yes[l->follows], yes[l->trial], yes[l->options->read_only]);
   live_number(&t, now() - l->began);
   if (l->files.count > 0) { /* the state contains a hash of the model's file as it was read; when the hash changes, a
                              * window reads the source again */
@@ -338,7 +336,7 @@ static vs_outcome run_files(live *l) {
                                                                        * text replaces the unsaved text of a window */
   live_files_clear(&l->files);
   live_files_note(&l->files, l->options->model);
-  l->prompted = false;
+  l->prompted = l->moved = false;
   vs_outcome outcome = vs_restart(l->scheme);
   l->trial = live_trial_is(&l->publish);
   return outcome == VS_OUTCOME_DONE ? vs_eval_file(l->scheme, l->options->model, l->trial ? VS_EVAL_TRY : 0) : outcome;
@@ -379,6 +377,7 @@ static void tell_frame(live *l, vs_outcome outcome) {
   live_putf(&t, "{\"version\":%u,\"scene\":", l->version);
   l->frames = live_scene_needs(l->scheme, &t);
   live_puts(&t, "}");
+  l->moved = l->moved || version != l->version;
   if (!t.failed && version != l->version) live_tell(&l->publish, "frame", t.at);
   live_text_free(&t);
 }
@@ -437,6 +436,23 @@ static unsigned pass_mask(const char *name) {
  * rewrite operations are not used. */
 static const char STEPS[] = "x3d-steps";
 
+/* Passes an export to the side, so that a save does not wait for it. The side runs the model anew. Returns false if the
+ * drawing is not that of the model's text alone, or if memory is out. */
+static bool export_aside(live *l, live_wish *w) {
+  if (l->publish.alone != NULL || l->follows || l->prompted || l->moved || !l->good) return false;
+  live_text values = { 0 };
+  vs_parameter_info p;
+  for (size_t i = 0; i < vs_parameter_count(l->scheme) && vs_parameter_get(l->scheme, i, &p); i++) {
+    if (same_value(p.value, p.default_value)) continue;
+    live_putf(&values, "%s%c%s%c", p.name, LIVE_UNIT, p.value, LIVE_RECORD);
+  }
+  free(w->given);
+  w->given = values.failed ? NULL : values.at != NULL ? values.at : strdup("");
+  if (w->id == NULL) w->id = strdup("");
+  if (values.failed) live_text_free(&values);
+  return w->given != NULL && w->id != NULL && live_wish_pass(&l->publish, &l->publish.exports, w);
+}
+
 static void run_export(live *l, live_wish *w) {
   vs_output_options o = l->options->output;
   live_text bytes = { 0 };
@@ -444,13 +460,15 @@ static void run_export(live *l, live_wish *w) {
   if (sscanf(w->value, "%5dx%5d", &width, &height) == 2 && width > 0 && height > 0 && width <= 8192 && height <= 8192)
     o.width = width, o.height = height;
   bool steps = strcmp(w->name, STEPS) == 0; /* steps: a window shows this output itself, so no event reports it */
+  if (!steps && export_aside(l, w)) return;
   if (steps) o.passes = pass_mask("share");
   begin(l);
+  l->overtaken = false;
   l->kept = !steps;
   vs_outcome outcome = vs_write_drawing_to(l->scheme, w->name, &o, scene_bytes, &bytes);
   l->kept = false;
   vs_interrupt_clear(l->scheme);
-  if (l->said.shown > 0 && !steps) publish_state(l, true, outcome);
+  if (l->said.shown > 0 && !steps && !l->overtaken) publish_state(l, true, outcome);
   if (l->busy_told || !steps) live_tell(&l->publish, "idle", "{}");
   live_wish_finish(&l->publish, w, outcome, bytes);
 }
@@ -508,58 +526,13 @@ static void serve(live *l) {
   while (!*l->options->ended) turn(l);
 }
 
-/* Starts a browser by a command of $BROWSER: words, with the address in place of %s or after them. Discards its output.
- * Returns false if there is no such program. */
-static bool start_browser(char *command, const char *address) {
-  char *words[BROWSER_WORDS + 2] = { NULL }, *rest;
-  live_text put = { 0 };
-  posix_spawn_file_actions_t actions;
-  pid_t child;
-  int count = 0;
-  bool placed = false, started = false;
-  for (char *word = strtok_r(command, " ", &rest); word != NULL && count < BROWSER_WORDS;
-       word = strtok_r(NULL, " ", &rest)) {
-    char *at = placed ? NULL : strstr(word, "%s");
-    if (at != NULL) {
-      live_putf(&put, "%.*s%s%s", (int)(at - word), word, address, at + 2);
-      placed = true;
-    }
-    words[count++] = at != NULL ? put.at : word;
-  }
-  char *last = strdup(address);
-  if (!placed) words[count] = last;
-  if (count > 0 && last != NULL && !put.failed && posix_spawn_file_actions_init(&actions) == 0) {
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", 1 /* O_WRONLY: only for writing */, 0);
-    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", 1, 0);
-    started = posix_spawnp(&child, words[0], &actions, NULL, words, environ) == 0;
-    posix_spawn_file_actions_destroy(&actions);
-  }
-  free(last);
-  live_text_free(&put);
-  return started;
-}
-
-/* Tries the commands of $BROWSER, separated by colons, and uses the first that exists. Without $BROWSER it uses
- * xdg-open if there is a screen. */
-static void open_browser(const char *address) {
-  const char *browser = getenv("BROWSER");
-  if (browser == NULL || *browser == 0) {
-    if (getenv("DISPLAY") == NULL && getenv("WAYLAND_DISPLAY") == NULL) return;
-    browser = "xdg-open";
-  }
-  char *copy = strdup(browser), *rest;
-  for (char *command = copy != NULL ? strtok_r(copy, ":", &rest) : NULL; command != NULL;
-       command = strtok_r(NULL, ":", &rest))
-    if (start_browser(command, address)) break;
-  free(copy);
-}
-
-static void tell_address(const live *l) {
-  char address[96];
-  snprintf(address, sizeof address, "http://127.0.0.1:%u/#%s", l->server.port, l->server.access.token);
+/* Prints the view's address. opens: whether it also opens the browser, if the options say so. */
+static void tell_address(const live *l, bool opens) {
+  char address[LIVE_ADDRESS];
+  live_server_address(&l->server, address);
   fprintf(l->options->told, "%s\n", address);
   fflush(l->options->told);
-  if (l->options->open_browser) open_browser(address);
+  if (opens && l->options->open_browser) live_open_browser(address);
 }
 
 /* Frees everything except l itself. */
@@ -570,6 +543,7 @@ static void close_view(live *l) {
   pthread_mutex_unlock(&l->publish.lock);
   if (l->server.publish != NULL) live_server_close(&l->server);
   live_aside_close(&l->aside);
+  live_aside_close(&l->exporter);
   if (!l->follows) vs_free(l->scheme);
   live_files_clear(&l->files);
   live_text_free(&l->released);
@@ -601,20 +575,9 @@ static bool set_given(live *l) {
   return !l->released.failed;
 }
 
-/* Opens the interpreter, the server and the side of a view. alone: live_publish.alone, or NULL. Returns
- * VS_OUTCOME_DONE, or the outcome of live_view after a message on standard error. */
-static vs_outcome open_view(live *l, const live_options *o, void (*alone)(void *context, bool work)) {
-  char *text = NULL;
-  size_t length;
-  const char *why;
-  l->options = o;
-  l->publish.alone = alone;
-  l->publish.alone_context = l;
-  if (!live_file_read(o->model, &text, &length, &why)) {
-    fprintf(stderr, "vs: %s: %s\n", o->model, why);
-    return VS_OUTCOME_USAGE;
-  }
-  free(text);
+/* Makes the session's interpreter, with the parameters of the options. Returns false after a message. */
+static bool open_interpreter(live *l) {
+  const live_options *o = l->options;
   vs_options interpreter = o->interpreter;
   interpreter.host = (vs_host){ .context = l,
                                 .output = host_output,
@@ -625,15 +588,50 @@ static vs_outcome open_view(live *l, const live_options *o, void (*alone)(void *
                                 .read_file = host_read,
                                 .list_folder = host_list };
   l->scheme = vs_new(&interpreter);
-  if (l->scheme == NULL) {
-    fprintf(stderr, "vs: out of memory\n");
-    return VS_OUTCOME_MACHINE;
-  }
+  bool ok = l->scheme != NULL && set_given(l);
+  if (!ok) fprintf(stderr, "vs: out of memory\n");
+  return ok;
+}
+
+/* Confines the process, if the options say so. Nothing of the model has run before, and no other thread. */
+static bool confine(live *l) {
+  const live_confinement *c = &l->own.confined;
+  return c->confine == NULL || c->confine(c->context, &l->own.interpreter);
+}
+
+/* Returns true if the model can be read, otherwise false after a message. */
+static bool readable(const live *l) {
+  char *text = NULL;
+  size_t length;
+  const char *why;
+  bool ok = live_options_read(l->options, l->options->model, &text, &length, &why);
+  if (!ok) fprintf(stderr, "vs: %s: %s\n", l->options->model, why);
+  free(text);
+  return ok;
+}
+
+/* Opens the server, the interpreter and the sides of a view. alone: live_publish.alone, or NULL. Returns
+ * VS_OUTCOME_DONE, or the outcome of live_view after a message on standard error. */
+static vs_outcome open_view(live *l, const live_options *o, void (*alone)(void *context, bool work)) {
+  l->own = *o;
+  l->options = o = &l->own;
+  l->publish.alone = alone;
+  l->publish.alone_context = l;
+  bool confined = o->confined.confine != NULL;
+  if (!confined && !readable(l)) return VS_OUTCOME_USAGE;
   l->server = (live_server){ .publish = &l->publish, .model = o->model, .stop = stop, .stop_context = l, .options = o };
   if (!live_http_load(&l->server.http)) return VS_OUTCOME_WORKER;
-  if (!set_given(l)) return VS_OUTCOME_MACHINE;
-  l->aside = (live_aside){ .options = o, .publish = &l->publish };
-  if (alone == NULL && !live_aside_open(&l->aside)) return VS_OUTCOME_MACHINE;
+  if (!live_server_listen(&l->server)) return VS_OUTCOME_MACHINE;
+  if (confined && o->open_browser) { /* a confined process could not start it */
+    char address[LIVE_ADDRESS];
+    live_server_address(&l->server, address);
+    live_open_browser(address);
+  }
+  if (!confine(l) || (confined && !readable(l))) return VS_OUTCOME_USAGE;
+  if (!open_interpreter(l)) return VS_OUTCOME_MACHINE;
+  l->aside = (live_aside){ .options = o, .publish = &l->publish, .queue = &l->publish.asides };
+  l->exporter = (live_aside){ .options = o, .publish = &l->publish, .queue = &l->publish.exports, .tells = true };
+  if (alone == NULL && !(live_aside_open(&l->aside) && live_aside_open(&l->exporter))) return VS_OUTCOME_MACHINE;
   return live_server_open(&l->server) ? VS_OUTCOME_DONE : VS_OUTCOME_MACHINE;
 }
 
@@ -641,7 +639,8 @@ vs_outcome live_view(const live_options *o) {
   live *l = new_view();
   vs_outcome outcome = l != NULL ? open_view(l, o, NULL) : VS_OUTCOME_MACHINE;
   if (outcome == VS_OUTCOME_DONE) {
-    tell_address(l);
+    o = l->options;
+    tell_address(l, o->confined.confine == NULL);
     if (o->running != NULL) o->running(l->scheme);
     serve(l);
     if (o->running != NULL) o->running(NULL);
@@ -703,13 +702,13 @@ live_follower *live_follow(const live_options *o, vs_scheme *scheme) {
   l->follows = l->prompted = true;
   l->scheme = scheme;
   l->server = (live_server){ .publish = &l->publish, .stop = stop, .stop_context = l, .options = l->options };
-  if (!live_http_load(&l->server.http) || !live_server_open(&l->server)) {
+  if (!live_http_load(&l->server.http) || !live_server_listen(&l->server) || !live_server_open(&l->server)) {
     live_follow_close(l);
     return NULL;
   }
   begin(l);
   live_follow_show(l);
-  tell_address(l);
+  tell_address(l, true);
   return l;
 }
 
@@ -719,7 +718,7 @@ void live_follow_close(live_follower *l) {
   free(l);
 }
 
-void live_follow_tell(const live_follower *l) { tell_address(l); }
+void live_follow_tell(const live_follower *l) { tell_address(l, true); }
 void live_follow_begin(live_follower *l) { begin(l); }
 void live_follow_output(live_follower *l, const char *text, size_t length) { host_output(l, text, length); }
 void live_follow_value(live_follower *l, const char *text, size_t length) { host_value(l, text, length); }

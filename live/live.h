@@ -1,9 +1,11 @@
 /* Declares the live view: a call that serves a model until it ends. It is a client of visualscheme.h only.
  *
  *   live.c         the session, which evaluates in the calling thread
- *   aside.c        a second interpreter in its own thread, for outputs with other values
+ *   aside.c        a second interpreter in its own thread, for outputs with other values, and a third for exports
+ *   open_browser.c the browser that opens the page
  *   published.c    the state that windows receive, under one lock
  *   serve.c        HTTP, a thread for each connection
+ *   live_options.c reading files, also those of an untrusted model
  *   access.c       which requests the server accepts
  *   said.c         the printed text and the messages of a run
  *   waiting.c      a limit on slow clients

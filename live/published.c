@@ -5,12 +5,11 @@
 #include <string.h>
 #include <time.h>
 
-#include "live/model_files.h"
-
 bool live_publish_open(live_publish *p) {
   memset(p, 0, sizeof *p);
   p->wishes.end = &p->wishes.first;
   p->asides.end = &p->asides.first;
+  p->exports.end = &p->exports.first;
   pthread_condattr_t attributes;
   if (pthread_mutex_init(&p->lock, NULL) != 0) return false;
   pthread_condattr_init(&attributes);
@@ -25,8 +24,8 @@ void live_publish_close(live_publish *p) {
   for (size_t i = 0; i < LIVE_VERSIONS; i++) live_chunks_free(&p->past[i]);
   free(p->state);
   if (p->scene != NULL) live_scene_release(p, p->scene);
-  live_queue *queues[] = { &p->wishes, &p->asides };
-  for (size_t i = 0; i < 2; i++) {
+  live_queue *queues[] = { &p->wishes, &p->asides, &p->exports };
+  for (size_t i = 0; i < sizeof queues / sizeof *queues; i++) {
     for (live_wish *w; (w = queues[i]->first) != NULL; live_wish_free(w)) queues[i]->first = w->next;
   }
   free(p->trial);
@@ -125,6 +124,17 @@ void live_wish_free(live_wish *w) {
   free(w);
 }
 
+/* Appends w to the queue. Returns false if too many requests wait. The caller must hold the lock. */
+static bool append(live_publish *p, live_queue *q, live_wish *w) {
+  if (q->count >= LIVE_WISHES || p->ended) return false;
+  w->next = NULL;
+  *q->end = w;
+  q->end = &w->next;
+  q->count++;
+  pthread_cond_broadcast(&p->changed);
+  return true;
+}
+
 bool live_wish_put(live_publish *p, live_queue *q, live_wish *w) {
   pthread_mutex_lock(&p->lock);
   for (live_wish *old = q->first; w->kind <= LIVE_TRY && old != NULL; old = old->next) {
@@ -137,16 +147,17 @@ bool live_wish_put(live_publish *p, live_queue *q, live_wish *w) {
     live_wish_free(w);
     return true;
   }
-  bool ok = q->count < LIVE_WISHES && !p->ended;
-  if (ok) {
-    w->next = NULL;
-    *q->end = w;
-    q->end = &w->next;
-    q->count++;
-    pthread_cond_broadcast(&p->changed);
-  }
+  bool ok = append(p, q, w);
   pthread_mutex_unlock(&p->lock);
   if (!ok) live_wish_free(w);
+  return ok;
+}
+
+bool live_wish_pass(live_publish *p, live_queue *q, live_wish *w) {
+  pthread_mutex_lock(&p->lock);
+  if (p->wishes.now == w) p->wishes.now = NULL;
+  bool ok = append(p, q, w);
+  pthread_mutex_unlock(&p->lock);
   return ok;
 }
 
@@ -174,8 +185,8 @@ live_wish *live_wish_take(live_publish *p, live_queue *q, long wait_ms) {
     q->first = w->next;
     q->count--;
     if (q->first == NULL) q->end = &q->first;
-    if (q == &p->asides) p->aside_now = w;
-    else p->working = true;
+    q->now = w->id != NULL ? w : NULL;
+    if (q == &p->wishes) p->working = true;
   }
   pthread_mutex_unlock(&p->lock);
   return w;
@@ -183,7 +194,9 @@ live_wish *live_wish_take(live_publish *p, live_queue *q, long wait_ms) {
 
 void live_wish_finish(live_publish *p, live_wish *w, vs_outcome outcome, live_text result) {
   pthread_mutex_lock(&p->lock);
-  if (p->aside_now == w) p->aside_now = NULL;
+  live_queue *queues[] = { &p->wishes, &p->asides, &p->exports };
+  for (size_t i = 0; i < sizeof queues / sizeof *queues; i++)
+    if (queues[i]->now == w) queues[i]->now = NULL;
   w->outcome = outcome;
   w->result = result;
   w->done = true;
@@ -195,20 +208,23 @@ void live_wish_finish(live_publish *p, live_wish *w, vs_outcome outcome, live_te
 
 void live_wish_cancel(live_publish *p, const char *id) {
   pthread_mutex_lock(&p->lock);
-  if (p->aside_now != NULL && strcmp(p->aside_now->id, id) == 0) p->aside_now->cancelled = true;
-  for (live_wish *w = p->asides.first; w != NULL; w = w->next)
-    if (strcmp(w->id, id) == 0) w->cancelled = true;
+  live_queue *queues[] = { &p->asides, &p->exports };
+  for (size_t i = 0; i < sizeof queues / sizeof *queues; i++) {
+    if (queues[i]->now != NULL && strcmp(queues[i]->now->id, id) == 0) queues[i]->now->cancelled = true;
+    for (live_wish *w = queues[i]->first; w != NULL; w = w->next)
+      if (strcmp(w->id, id) == 0) w->cancelled = true;
+  }
   pthread_mutex_unlock(&p->lock);
 }
 
-bool live_model_read(live_publish *p, const char *model, const char *path, char **text, size_t *length,
+bool live_model_read(live_publish *p, const live_options *o, const char *path, char **text, size_t *length,
                      const char **why) {
-  if (strcmp(path, model) != 0) return live_file_read(path, text, length, why);
+  if (strcmp(path, o->model) != 0) return live_options_read(o, path, text, length, why);
   pthread_mutex_lock(&p->lock);
   bool trial = p->trial != NULL;
   *text = trial ? strdup(p->trial) : NULL;
   pthread_mutex_unlock(&p->lock);
-  if (!trial) return live_file_read(path, text, length, why);
+  if (!trial) return live_options_read(o, path, text, length, why);
   *why = "out of memory";
   if (*text != NULL) *length = strlen(*text);
   return *text != NULL;

@@ -6,6 +6,7 @@
 #include <pthread.h>
 
 #include "live/chunks.h"
+#include "live/live_options.h"
 #include "live/live_text.h"
 #include "visualscheme.h"
 
@@ -30,10 +31,10 @@ typedef struct live_wish {
   live_wish_kind kind;
   char *name, *value;
   bool coarse;         /* SET: whether the window's slider is still moving, so that round shapes may be coarse */
-  char *given;         /* EXPORT by the side (aside.h): values of parameters, each as NAME LIVE_UNIT VALUE LIVE_RECORD;
+  char *given;         /* EXPORT: values of parameters for the side (aside.h), each as NAME LIVE_UNIT VALUE LIVE_RECORD;
                         * otherwise NULL */
-  char *id;            /* EXPORT by the side (aside.h): name that the window has given the request, for events about its
-                        * progress; otherwise NULL */
+  char *id;            /* EXPORT: name that the window has given the request, for events about its progress, or "";
+                        * otherwise NULL */
   bool done;           /* EXPORT: whether the result is ready for the thread that waits for it */
   live_text result;    /* result of the request; if it failed: the reason, in one line */
   vs_outcome outcome;
@@ -44,7 +45,8 @@ typedef struct live_wish {
 } live_wish;
 enum { LIVE_UNIT = 0x1f, LIVE_RECORD = 0x1e };
 
-typedef struct { live_wish *first, **end; size_t count; } live_queue;
+/* now: the request with an id that was taken last and is not finished, or NULL. */
+typedef struct { live_wish *first, **end, *now; size_t count; } live_queue;
 
 typedef struct {
   pthread_mutex_t lock;
@@ -61,8 +63,8 @@ typedef struct {
                                    * NULL */
   live_queue wishes;              /* requests that wait for the session */
   bool working;                   /* whether the session is busy, so that the Stop button ends its work */
-  live_queue asides;              /* requests that wait for the side (aside.h) */
-  live_wish *aside_now;           /* request that the side (aside.h) is handling, or NULL */
+  live_queue asides;              /* requests that wait for the side that makes pictures (aside.h) */
+  live_queue exports;             /* requests that wait for the side that makes exports of the current model */
   unsigned windows;
   /* Where a single thread is session, server and window, nobody may wait for another. `alone` then does the others'
    * work: it sends the events, and handles the waiting requests if `work` is true. NULL: threads wait. */
@@ -91,11 +93,14 @@ bool live_wish_renews(live_publish *p);
 /* Takes the next request out of the queue and returns it. Returns NULL if none arrives within wait_ms milliseconds.
  * After a request the session counts as busy. */
 live_wish *live_wish_take(live_publish *p, live_queue *q, long wait_ms);
+/* Passes the request w, which was taken, to the queue q, which takes it over. Returns false if too many requests wait;
+ * w then stays the caller's. */
+bool live_wish_pass(live_publish *p, live_queue *q, live_wish *w);
 /* Finishes the request w: sets its result, whose memory it takes over, and releases w. */
 void live_wish_finish(live_publish *p, live_wish *w, vs_outcome outcome, live_text result);
 void live_wish_cancel(live_publish *p, const char *id); /* cancels the request of the side (aside.h) that has this id */
-/* Reads a file as vs_host.read_file does. If there is an unsaved text of the model, returns that text. */
-bool live_model_read(live_publish *p, const char *model, const char *path, char **text, size_t *length,
+/* Reads a file as live_options_read does. If there is an unsaved text of the model, returns that text. */
+bool live_model_read(live_publish *p, const live_options *o, const char *path, char **text, size_t *length,
                      const char **why);
 bool live_trial_is(live_publish *p); /* returns true if there is an unsaved text */
 void live_trial_put(live_publish *p, char *text); /* Sets the unsaved text, and takes over its memory. NULL: returns to

@@ -243,6 +243,7 @@ static enum MHD_Result serve_scene(live_server *s, struct MHD_Connection *c) {
 
 /* ---- the source text of the model ---- */
 
+static const char READ_ONLY[] = "the model is untrusted: this view is read only, and starts no external program\n";
 static const char NO_SOURCE[] = "the view follows a prompt: there is no file behind it\n";
 
 static enum MHD_Result serve_source(live_server *s, struct MHD_Connection *c) {
@@ -250,7 +251,7 @@ static enum MHD_Result serve_source(live_server *s, struct MHD_Connection *c) {
   size_t length = 0;
   const char *why;
   if (s->model == NULL) return answer_text(s, c, 404, NO_SOURCE);
-  if (!live_file_read(s->model, &text, &length, &why)) return answer_text(s, c, 404, why);
+  if (!live_options_read(s->options, s->model, &text, &length, &why)) return answer_text(s, c, 404, why);
   live_text t = { 0 };
   live_puts(&t, "{\"path\":");
   live_json(&t, s->model);
@@ -322,7 +323,8 @@ static enum MHD_Result serve_formats(live_server *s, struct MHD_Connection *c) {
   live_text t = { 0 };
   live_puts(&t, "[");
   for (size_t i = 0; i < count; i++) {
-    live_puts(&t, i > 0 ? ",{\"name\":" : "{\"name\":");
+    if (s->options->read_only && formats[i].worker != NULL) continue;
+    live_puts(&t, t.length > 1 ? ",{\"name\":" : "{\"name\":");
     live_json(&t, formats[i].name);
     live_puts(&t, ",\"suffix\":");
     live_json(&t, formats[i].suffix);
@@ -360,22 +362,22 @@ static enum MHD_Result wish(live_server *s, struct MHD_Connection *c, live_wish_
                                                            : answer_text(s, c, 503, "too many requests are waiting\n");
 }
 
-/* GET: answers with the current drawing in a format. POST: answers with the drawing of the text for the parameter
+/* GET: answers with the current drawing in a format; a save may end it.
+ * POST: answers with the drawing of the text for the parameter
  * values in the body, which the side (aside.h) makes; `id` is the window's name for the request. */
 static enum MHD_Result export(live_server *s, struct MHD_Connection *c, const live_text *values) {
   const char *format = query(s, c, "format"), *size = query(s, c, "size"), *id = query(s, c, "id");
   const vs_format_info *info = format != NULL ? vs_format_find(format) : NULL;
   live_publish *p = s->publish;
   if (values != NULL && s->model == NULL) return answer_text(s, c, 404, NO_SOURCE);
+  if (info != NULL && info->worker != NULL && s->options->read_only) return answer_text(s, c, 403, READ_ONLY);
   live_wish *w = info != NULL ? live_wish_new(LIVE_EXPORT, info->name, size != NULL ? size : "") : NULL;
   if (w == NULL) return answer_text(s, c, 400, "there is no such format\n");
-  if (values != NULL) {
-    w->given = strdup(values->at != NULL ? values->at : "");
-    w->id = strdup(id != NULL ? id : "");
-    if (w->given == NULL || w->id == NULL) {
-      live_wish_free(w);
-      return answer_text(s, c, 500, "out of memory\n");
-    }
+  w->given = strdup(values != NULL && values->at != NULL ? values->at : "");
+  w->id = strdup(id != NULL ? id : "");
+  if (w->given == NULL || w->id == NULL) {
+    live_wish_free(w);
+    return answer_text(s, c, 500, "out of memory\n");
   }
   if (!live_wish_put(p, values != NULL ? &p->asides : &p->wishes, w))
     return answer_text(s, c, 503, "too many requests are waiting\n");
@@ -397,9 +399,10 @@ static enum MHD_Result export(live_server *s, struct MHD_Connection *c, const li
   live_wish_free(w);
   if (outcome == VS_OUTCOME_DONE) return answer_live_text(s, c, "application/octet-stream", &t);
   unsigned status = cancelled || outcome == VS_OUTCOME_INTERRUPTED ? 499 : 422;
-  if (values == NULL) live_text_free(&t);
-  enum MHD_Result result =
-      answer_text(s, c, status, t.length > 0 ? t.at : "the output was not made; the messages say why\n");
+  enum MHD_Result result = answer_text(s, c, status,
+                                       t.length > 0    ? t.at
+                                       : status == 499 ? "the model has changed, or Stop was pressed: export again\n"
+                                                       : "the output was not made; the messages say why\n");
   live_text_free(&t);
   return result;
 }
@@ -450,6 +453,9 @@ static enum MHD_Result dispatch(live_server *s, struct MHD_Connection *c, const 
     live_wish_cancel(s->publish, query(s, c, "id"));
     return answer_text(s, c, 202, "ok\n");
   }
+  static const char *const changing[] = { "/source", "/try", "/check", "/prompt" };
+  for (size_t i = 0; post && s->options->read_only && i < sizeof changing / sizeof *changing; i++)
+    if (strcmp(url, changing[i]) == 0) return answer_text(s, c, 403, READ_ONLY);
   if (post && strcmp(url, "/source") == 0) return save_source(s, c, body);
   if (post && strcmp(url, "/check") == 0) return serve_check(s, c, body);
   if (post && strcmp(url, "/set") == 0) return wish(s, c, LIVE_SET, query(s, c, "name"), body->at);
@@ -496,8 +502,6 @@ static enum MHD_Result handle(void *context, struct MHD_Connection *c, const cha
   (void)version;
   if (r == NULL) return MHD_NO;
   if (!r->began) { /* the headers are known, and no byte of a body was read: a refused client sends none */
-    pthread_mutex_lock(&s->publish->lock); /* a request that arrives early waits here until the server is open */
-    pthread_mutex_unlock(&s->publish->lock);
     r->began = true;
     live_refusal no = live_access_refuse(&s->http, c, &s->access, url, BODY_MOST);
     if (no.why == NULL && r->zero) no = (live_refusal){ 400, "the address contains %00\n" };
@@ -535,12 +539,31 @@ static void quiet(void *context, const char *format, va_list arguments) {
   (void)context, (void)format, (void)arguments;
 }
 
-bool live_server_open(live_server *s) {
+void live_server_address(const live_server *s, char out[LIVE_ADDRESS]) {
+  snprintf(out, LIVE_ADDRESS, "http://127.0.0.1:%u/#%s", s->port, s->access.token);
+}
+
+bool live_server_listen(live_server *s) {
   struct sockaddr_in loopback = { .sin_family = AF_INET, .sin_port = 0, .sin_addr.s_addr = htonl(INADDR_LOOPBACK) };
+  socklen_t size = sizeof loopback;
   if (!live_access_word(s->access.token)) {
     fprintf(stderr, "vs: no random numbers for the live view's token\n");
     return false;
   }
+  if (s->publish->alone != NULL) return live_access_hosts(&s->access, 0), true; /* nothing listens */
+  s->socket = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+  if (s->socket >= 0 && bind(s->socket, (struct sockaddr *)&loopback, size) == 0 &&
+      listen(s->socket, CONNECTIONS) == 0 && getsockname(s->socket, (struct sockaddr *)&loopback, &size) == 0) {
+    s->port = ntohs(loopback.sin_port);
+    live_access_hosts(&s->access, s->port);
+    return true;
+  }
+  if (s->socket >= 0) close(s->socket);
+  fprintf(stderr, "vs: the live view could not listen on 127.0.0.1\n");
+  return false;
+}
+
+bool live_server_open(live_server *s) {
   if (vs_asset_live_js_end - vs_asset_live_js < 1000 && s->publish->alone == NULL) {
     fprintf(stderr,
             "vs: this vs was built without the live view's page: run `npm ci --ignore-scripts` and build again\n");
@@ -549,30 +572,23 @@ bool live_server_open(live_server *s) {
   pthread_mutex_init(&s->names_lock, NULL);
   live_waiting_open(&s->waiting);
   s->names = vs_new(NULL);
-  pthread_mutex_lock(&s->publish->lock); /* with the lock held, an early request waits until the port and the host names
-                                          * are known */
   sigset_t was;
   vs_signals_hold(&was); /* the command's signal handlers must not run in the server's threads */
   s->daemon = s->http.start_daemon(MHD_USE_INTERNAL_POLLING_THREAD | MHD_USE_THREAD_PER_CONNECTION | MHD_USE_ERROR_LOG,
                                    0, NULL, NULL, handle, s, MHD_OPTION_EXTERNAL_LOGGER, quiet, NULL,
-                                   MHD_OPTION_URI_LOG_CALLBACK, begun, NULL,
-                                   MHD_OPTION_SOCK_ADDR, (struct sockaddr *)&loopback, MHD_OPTION_CONNECTION_LIMIT,
-                                   (unsigned)CONNECTIONS, MHD_OPTION_CONNECTION_TIMEOUT, (unsigned)SILENCE,
-                                   MHD_OPTION_CONNECTION_MEMORY_LIMIT, (size_t)32768, MHD_OPTION_NOTIFY_COMPLETED,
-                                   completed, s, MHD_OPTION_NOTIFY_CONNECTION, connected, s, MHD_OPTION_END);
+                                   MHD_OPTION_URI_LOG_CALLBACK, begun, NULL, MHD_OPTION_LISTEN_SOCKET, s->socket,
+                                   MHD_OPTION_CONNECTION_LIMIT, (unsigned)CONNECTIONS, MHD_OPTION_CONNECTION_TIMEOUT,
+                                   (unsigned)SILENCE, MHD_OPTION_CONNECTION_MEMORY_LIMIT, (size_t)32768,
+                                   MHD_OPTION_NOTIFY_COMPLETED, completed, s, MHD_OPTION_NOTIFY_CONNECTION, connected,
+                                   s, MHD_OPTION_END);
   vs_signals_release(&was);
-  const union MHD_DaemonInfo *info =
-      s->daemon != NULL ? s->http.get_daemon_info(s->daemon, MHD_DAEMON_INFO_BIND_PORT) : NULL;
-  s->port = info != NULL ? info->port : 0;
-  snprintf(s->access.hosts[0], sizeof s->access.hosts[0], "127.0.0.1:%u", s->port);
-  snprintf(s->access.hosts[1], sizeof s->access.hosts[1], "localhost:%u", s->port);
-  pthread_mutex_unlock(&s->publish->lock);
-  if (info == NULL) fprintf(stderr, "vs: the live view could not listen on 127.0.0.1\n");
-  return info != NULL;
+  if (s->daemon == NULL) fprintf(stderr, "vs: the live view could not listen on 127.0.0.1\n");
+  return s->daemon != NULL;
 }
 
 void live_server_close(live_server *s) {
   if (s->daemon != NULL) s->http.stop_daemon(s->daemon);
+  else if (s->port != 0) close(s->socket);
   s->daemon = NULL;
   vs_free(s->names);
   s->names = NULL;

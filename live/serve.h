@@ -17,14 +17,22 @@ typedef struct live_server {
   vs_scheme *names;                  /* interpreter that provides names for completion; may only be used with names_lock
                                       * held */
   pthread_mutex_t names_lock;
+  int socket;                 /* the socket that listens, which the daemon closes; used if port is not 0 */
   struct MHD_Daemon *daemon;
   live_waiting waiting;       /* table of the connections whose request is incomplete */
   unsigned port;
   live_access access;
 } live_server;
 
-bool live_server_open(live_server *s);  /* Opens the server; the members http, publish, model and stop must be set.
-                                         * Returns false after a message on standard error. */
+enum { LIVE_ADDRESS = 96 };
+
+/* Opens the server's socket on a free port, and sets socket, port and access. From then on browsers may connect; their
+ * requests wait for live_server_open. Returns false after a message on standard error. */
+bool live_server_listen(live_server *s);
+/* Starts the server; the members http, publish, model and stop must be set. Returns false after a message on standard
+ * error. */
+bool live_server_open(live_server *s);
+void live_server_address(const live_server *s, char out[LIVE_ADDRESS]); /* writes the page's address with the token */
 void live_server_close(live_server *s); /* Closes the server. The caller must first set publish->ended, so that the
                                          * threads of waiting windows end. */
 

@@ -1,6 +1,6 @@
 # Tests the live view: its server by HTTP (tests/page/live.mjs, live_requests.mjs), in a browser (live_browser.mjs,
 # live_words.mjs, live_making.mjs, live_scene.mjs, live_examples.mjs, live_output.mjs, live_runs.mjs,
-# live_typing.mjs), and `vs params`.
+# live_typing.mjs, live_untrusted.mjs), and `vs params`.
 case live in *"${ONLY%%/*}"*) ;; *) exit 0 ;; esac
 command -v node > /dev/null || { echo "skip live: no node (package nodejs)"; exit 0; }
 [ -d node_modules/three ] || { echo "skip live: built without the viewer (npm ci --ignore-scripts)"; exit 0; }
@@ -22,6 +22,7 @@ if command -v chromium > /dev/null && [ -d tests/node_modules/playwright-core ];
   timeout 400 node tests/page/live_examples.mjs "$BUILD/vs" "$work/examples" || echo "not ok live/browser: examples ended with $?"
   timeout 400 node tests/page/live_runs.mjs "$BUILD/vs" "$work/runs" || echo "not ok live/browser: runs ended with $?"
   timeout 200 node tests/page/live_typing.mjs "$BUILD/vs" "$work/typing" || echo "not ok live/browser: typing ended with $?"
+  timeout 200 node tests/page/live_untrusted.mjs "$BUILD/vs" "$work/stranger" || echo "not ok live/browser: untrusted ended with $?"
   timeout 400 node tests/page/live_output.mjs "$BUILD/vs" "$work/output" || echo "not ok live/browser: output ended with $?"
 else
   echo "skip live/browser: no chromium (package chromium) or no playwright-core (npm ci --prefix tests --ignore-scripts)"

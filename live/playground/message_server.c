@@ -23,7 +23,8 @@ struct MHD_Response {
 };
 struct MHD_Connection { const message *asked; };
 struct MHD_Daemon { MHD_AccessHandlerCallback handle; MHD_RequestCompletedCallback completed;
-  void *context, *completed_context; };
+  void *(*begun)(void *context, const char *uri, struct MHD_Connection *c);
+  void *context, *completed_context, *begun_context; };
 
 /* The one server, and the response that stays open: functions of libmicrohttpd have no other place for them. */
 static struct MHD_Daemon server;
@@ -40,10 +41,11 @@ struct MHD_Daemon *MHD_start_daemon(unsigned flags, uint16_t port, MHD_AcceptPol
     if (option == MHD_OPTION_NOTIFY_COMPLETED) {
       server.completed = va_arg(options, MHD_RequestCompletedCallback);
       server.completed_context = va_arg(options, void *);
+    } else if (option == MHD_OPTION_URI_LOG_CALLBACK) {
+      server.begun = va_arg(options, void *(*)(void *, const char *, struct MHD_Connection *));
+      server.begun_context = va_arg(options, void *);
     } else if (option == MHD_OPTION_EXTERNAL_LOGGER || option == MHD_OPTION_NOTIFY_CONNECTION) {
       (void)va_arg(options, void *), (void)va_arg(options, void *);
-    } else if (option == MHD_OPTION_SOCK_ADDR) {
-      (void)va_arg(options, void *);
     } else if (option == MHD_OPTION_CONNECTION_MEMORY_LIMIT) {
       (void)va_arg(options, size_t);
     } else {
@@ -85,6 +87,18 @@ const char *MHD_lookup_connection_value(struct MHD_Connection *c, enum MHD_Value
     at = value + strlen(value) + 1;
   }
   return NULL;
+}
+
+int MHD_get_connection_values(struct MHD_Connection *c, enum MHD_ValueKind kind, MHD_KeyValueIterator each,
+                              void *context) {
+  const char *const headers[][2] = { { "Host", c->asked->host }, { "X-VS-Token", c->asked->token } };
+  int count = 0;
+  for (size_t i = 0; kind == MHD_HEADER_KIND && i < sizeof headers / sizeof *headers; i++) {
+    if (headers[i][1] == NULL) continue;
+    count++;
+    if (each != NULL && each(context, kind, headers[i][0], headers[i][1]) == MHD_NO) break;
+  }
+  return count;
 }
 
 struct MHD_Response *MHD_create_response_from_buffer(size_t count, void *bytes, enum MHD_ResponseMemoryMode mode) {
@@ -140,7 +154,7 @@ void playground_pump(void) {
 
 void playground_ask(const message *m) {
   struct MHD_Connection c = { m };
-  void *state = NULL;
+  void *state = server.begun != NULL ? server.begun(server.begun_context, m->path, &c) : NULL;
   size_t size = 0;
   server.handle(server.context, &c, m->path, m->method, "HTTP/1.1", NULL, &size, &state);
   size = m->size;

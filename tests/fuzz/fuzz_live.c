@@ -40,26 +40,22 @@ static struct MHD_Daemon *start_daemon(unsigned flags, uint16_t port, MHD_Accept
   va_list options;
   va_start(options, context);
   for (int option; (option = va_arg(options, int)) != MHD_OPTION_END;) { /* the options of live/serve.c */
-    if (option == MHD_OPTION_URI_LOG_CALLBACK) begin_request = va_arg(options, void *(*)(void *, const char *, struct MHD_Connection *));
+    if (option == MHD_OPTION_URI_LOG_CALLBACK)
+      begin_request = va_arg(options, void *(*)(void *, const char *, struct MHD_Connection *));
     else if (option == MHD_OPTION_EXTERNAL_LOGGER) va_arg(options, MHD_LogCallback);
     else if (option == MHD_OPTION_NOTIFY_COMPLETED) va_arg(options, MHD_RequestCompletedCallback);
     else if (option == MHD_OPTION_NOTIFY_CONNECTION) va_arg(options, MHD_NotifyConnectionCallback);
     else if (option == MHD_OPTION_CONNECTION_MEMORY_LIMIT) va_arg(options, size_t);
-    else if (option == MHD_OPTION_SOCK_ADDR) va_arg(options, struct sockaddr *);
+    else if (option == MHD_OPTION_LISTEN_SOCKET) va_arg(options, int);
     else va_arg(options, unsigned);
-    if (option == MHD_OPTION_URI_LOG_CALLBACK || option == MHD_OPTION_EXTERNAL_LOGGER || option == MHD_OPTION_NOTIFY_COMPLETED || option == MHD_OPTION_NOTIFY_CONNECTION)
+    if (option == MHD_OPTION_URI_LOG_CALLBACK || option == MHD_OPTION_EXTERNAL_LOGGER ||
+        option == MHD_OPTION_NOTIFY_COMPLETED || option == MHD_OPTION_NOTIFY_CONNECTION)
       va_arg(options, void *);
   }
   va_end(options);
   return (struct MHD_Daemon *)(void *)&handler;
 }
 static void stop_daemon(struct MHD_Daemon *d) { (void)d; }
-static const union MHD_DaemonInfo *get_daemon_info(struct MHD_Daemon *d, enum MHD_DaemonInfoType type, ...) {
-  static union MHD_DaemonInfo info;
-  (void)d, (void)type;
-  info.port = 8080;
-  return &info;
-}
 /* No connection waits, so there is no socket to close. */
 static const union MHD_ConnectionInfo *get_connection_info(struct MHD_Connection *c, enum MHD_ConnectionInfoType type,
                                                            ...) {
@@ -137,6 +133,7 @@ static void add_words(struct MHD_Connection *c, char *at, const char *ends, enum
 static void take_wishes(live_publish *p) {
   for (live_wish *w; (w = live_wish_take(p, &p->wishes, 0)) != NULL;) live_wish_free(w);
   for (live_wish *w; (w = live_wish_take(p, &p->asides, 0)) != NULL;) live_wish_free(w);
+  p->wishes.now = p->asides.now = NULL;
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -151,7 +148,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     unlink(path); /* from here on, only a request can create this file */
     server = (live_server){ .http = { .start_daemon = start_daemon,
                                       .stop_daemon = stop_daemon,
-                                      .get_daemon_info = get_daemon_info,
                                       .get_connection_info = get_connection_info,
                                       .lookup_connection_value = lookup,
                                       .get_connection_values = values,
@@ -164,7 +160,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
                             .model = path,
                             .stop = stop,
                             .options = &options };
-    if (!live_publish_open(&publish) || !live_server_open(&server)) abort();
+    live_access_hosts(&server.access, 8080); /* the port of the corpus; no socket listens */
+    if (!live_access_word(server.access.token) || !live_publish_open(&publish) || !live_server_open(&server)) abort();
     enum { SCENE = 60000 };
     live_scene *scene = calloc(1, sizeof *scene);
     if (!scene || !(scene->bytes = malloc(SCENE))) abort();
@@ -204,7 +201,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (ok == MHD_YES && !c.status) handler(handler_context, &c, c.url, c.method, "HTTP/1.1", NULL, &count, &state);
     const char *host = lookup(&c, MHD_HEADER_KIND, "Host"), *token = lookup(&c, MHD_HEADER_KIND, "X-VS-Token");
     const bool page = !strcmp(c.url, "/") || !strcmp(c.url, "/live.js") || !strcmp(c.url, "/live.css");
-    if (c.status && !refused(c.status) && (!host || (strcmp(host, server.access.hosts[0]) && strcmp(host, server.access.hosts[1]))))
+    if (c.status && !refused(c.status) &&
+        (!host || (strcmp(host, server.access.hosts[0]) && strcmp(host, server.access.hosts[1]))))
       abort();
     if (c.status && !refused(c.status) && !page && (!token || strcmp(token, server.access.token)))
       abort(); /* the server answered without the token */

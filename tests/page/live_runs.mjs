@@ -95,6 +95,30 @@ await test("an output that somebody waits for is not ended", async (want) => {
   await after(() => writeFileSync(model, box("1.0")));
 });
 
+await test("a save does not wait for an export", async (want) => {
+  // A solid of many rings that meet takes seconds; their picture needs the triangles of one.
+  const slow = (size) => box(size) + "(for-each (lambda (i) (for-each (lambda (j) (draw (make-torus (xyz (* 3 i) (* 3 j) 0) 1.6 0.5))) (iota 24))) (iota 24))\n";
+  await after(() => writeFileSync(model, slow("1.0")));
+  for (const typed of [false, true]) { // The drawing of a text typed at the prompt exists in the session alone.
+    if (typed) await after(() => call("/prompt", "(draw (make-sphere (xyz 0 9 0) 1))"));
+    let ended = false;
+    const output = fetch(address.origin + "/export?format=stl&id=slow", { headers: { "X-VS-Token": address.hash.slice(1) } }).finally(() => { ended = true; });
+    await pause(400);
+    writeFileSync(model, slow(typed ? "3.0" : "2.0"));
+    await shown((value) => window.live.state.parameters[0]?.default === value, typed ? "3.0" : "2.0");
+    if (!typed) want(!ended, "the save waited for the export");
+    await call("/cancel?id=slow");
+    const answer = await output, text = await answer.text();
+    want(answer.status === 499 && (typed ? /export again/ : /cancelled/).test(text), `typed ${typed}: ${answer.status} ${text.slice(0, 60)}`);
+  }
+  const exported = page.evaluate(() => { document.querySelector(".exports select").value = "stl"; return window.live.export(); }), from = Date.now();
+  await pause(400);
+  await page.getByRole("button", { name: "Stop" }).click();
+  await exported;
+  want(/cancelled/.test(await page.locator(".top .status").textContent()), `Stop ended the export after ${Date.now() - from} ms: ${await page.locator(".top .status").textContent()}`);
+  await after(() => writeFileSync(model, box("1.0")));
+});
+
 // ---- Stop ----
 
 await test("Stop where nothing runs ends nothing", async (want) => {

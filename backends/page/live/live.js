@@ -33,6 +33,9 @@ function remembered(name) {
   try { return localStorage.getItem("visualscheme " + name); } catch { return null; }
 }
 
+const newId = () => Math.random().toString(36).slice(2);
+const progress = (phase, fraction) => phase + (fraction >= 0 ? " " + Math.round(100 * fraction) + " %" : " …");
+
 export class Live {
   // server: ask, the function above; values, the parameters set at first, as [name, value]; link(values), the address
   // that shows this model with these values; lasting, whether it works later, too.
@@ -43,7 +46,7 @@ export class Live {
     this.name = el("b", {}, "…");
     this.status = el("span", { class: "status", role: "status", title: "How long the last run took" }, "connecting");
     this.saveButton = el("button", { type: "button", class: "button save", title: "Save (Ctrl S)", disabled: true, onclick: () => this.save() }, "Save");
-    this.stopButton = el("button", { type: "button", class: "button", title: "Stop what runs", disabled: true, onclick: () => ask("/stop", { method: "POST" }) }, "Stop");
+    this.stopButton = el("button", { type: "button", class: "button", title: "Stop what runs", disabled: true, onclick: () => this.#stop() }, "Stop");
     this.typingButton = el("button", { type: "button", class: "button typing", title: "Draw the unsaved text while you type", onclick: () => this.#setTyping(!this.draws) }, "As you type");
     this.conflict = new Conflict({ mine: () => this.#keepMine(), theirs: () => this.#takeTheirs() });
     this.editorPlace = el("div", { class: "editor" });
@@ -54,7 +57,7 @@ export class Live {
     const consoleArea = el("div", { class: "console" }, this.printed, el("label", {}, "›", this.prompt));
     this.viewPlace = el("div", { class: "view" });
     this.split = el("button", { type: "button", class: "split", "aria-label": "Width of the source: left and right arrow keys" });
-    root.append(el("section", { class: "pane", "aria-label": "Source" }, el("div", { class: "top" }, this.name, this.status, this.stopButton, this.typingButton, this.saveButton), this.conflict.notice, this.editorPlace, this.hintPlace, this.messages, consoleArea), this.split, this.viewPlace, this.conflict.root);
+    root.append(el("section", { class: "pane", "aria-label": "Source" }, el("div", { class: "top" }, this.name, this.status, this.stopButton, el("span", { class: "reads-only", title: "The model is untrusted: it runs confined, and this page cannot change it" }, "read only"), this.typingButton, this.saveButton), this.conflict.notice, this.editorPlace, this.hintPlace, this.messages, consoleArea), this.split, this.viewPlace, this.conflict.root);
 
     this.viewer = new Viewer(this.viewPlace);
     window.visualscheme = this.viewer;
@@ -169,12 +172,14 @@ export class Live {
   async #event(kind, data) {
     if (kind === "busy") {
       this.stopButton.disabled = false;
-      this.#status(data.phase + (data.fraction >= 0 ? " " + Math.round(100 * data.fraction) + " %" : " …"), false);
+      this.#status(progress(data.phase, data.fraction), false);
     } else if (kind === "idle") {
       this.stopButton.disabled = true;
       if (this.state) this.#outcome(this.state);
     } else if (kind === "progress") {
       this.telling.get(data.id)?.(data.phase, data.fraction);
+    } else if (kind === "messages") {
+      this.#messages(data.messages, data.more);
     } else if (kind === "frame") {
       if (this.timeline.isOpen) return; // The timeline shows a single moment of the drawing, so frames are ignored.
       if (data.version > this.version) await this.#fetchScene();
@@ -204,6 +209,9 @@ export class Live {
     this.name.textContent = state.model.split("/").pop();
     // The page follows a prompt in a terminal, so there is no source.
     document.getElementById("live").classList.toggle("follows", state.follows);
+    // A stranger's model: the page shows the source, and offers neither save nor prompt.
+    document.getElementById("live").classList.toggle("reads", state.reads);
+    this.source.setReadOnly(state.reads);
     this.#outcome(state);
     // Messages about a text that is being typed appear beside its lines only.
     const inText = (m) => this.#isModel(m.at.file) && m.at.line > 0;
@@ -369,6 +377,7 @@ export class Live {
   }
 
   async save() {
+    if (this.state?.reads) return;
     const text = this.source.text, answer = await ask("/source?hash=" + this.hash, { method: "POST", body: text });
     if (answer.status === 409) return this.#showConflict();
     if (!answer.ok) return this.#status(await answer.text(), true);
@@ -411,7 +420,7 @@ export class Live {
     if (on && this.source.dirty) this.#typed(this.source.text);
   }
   #typed(text) {
-    if (!this.draws || this.state?.follows) return;
+    if (!this.draws || this.state?.follows || this.state?.reads) return;
     if (isScheme(this.state?.model || "") && !isWhole(text)) return;
     this.#attempt(text);
   }
@@ -450,7 +459,7 @@ export class Live {
   // Returns a promise of the bytes of an output of the model with these values. told(phase, fraction) receives the
   // progress, and an aborted signal ends the request.
   async make(format, values, { size = "", told, signal } = {}) {
-    const id = Math.random().toString(36).slice(2), body = Object.entries(values).map(([name, value]) => `${name}\x1f${value}\x1e`).join("");
+    const id = newId(), body = Object.entries(values).map(([name, value]) => `${name}\x1f${value}\x1e`).join("");
     const cancel = () => ask("/cancel?id=" + id, { method: "POST" });
     if (told) this.telling.set(id, told);
     signal?.addEventListener("abort", cancel, { once: true });
@@ -566,12 +575,22 @@ export class Live {
     this.formats.value = FIRST_FORMAT;
   }
 
+  #stop() {
+    if (this.exporting) ask("/cancel?id=" + this.exporting, { method: "POST" });
+    return ask("/stop", { method: "POST" });
+  }
+
   async export() {
+    const id = this.exporting = newId();
+    this.telling.set(id, (phase, fraction) => this.#status(progress(phase, fraction), false));
     const format = this.formats.value, suffix = this.suffixes.get(format);
     this.exportButton.disabled = true;
     this.stopButton.disabled = false;
-    const answer = await ask(`/export?format=${format}&size=1280x800`);
+    const answer = await ask(`/export?format=${format}&size=1280x800&id=${id}`);
+    this.exporting = null;
+    this.telling.delete(id);
     this.exportButton.disabled = false;
+    this.stopButton.disabled = true;
     if (!answer.ok) return this.#status(await answer.text(), true);
     const url = URL.createObjectURL(await answer.blob());
     el("a", { href: url, download: (this.state?.model || "model").split("/").pop().replace(/\.[^.]*$/, "") + "." + suffix }).click();

@@ -46,7 +46,7 @@ export class Making {
       if (root === this.large) this.#show(null);
       else this.toggle();
     });
-    this.button = el("button", { type: "button", class: "button", "aria-expanded": "false", onclick: () => this.toggle() }, "Pictures");
+    this.button = el("button", { type: "button", class: "button pictures", "aria-expanded": "false", onclick: () => this.toggle() }, "Pictures");
     if (typeof VideoEncoder === "undefined") this.starters[2].disabled = true, this.starters[2].title = "This browser makes no films.";
   }
 

@@ -34,7 +34,7 @@ export class Parameters {
     this.sets = new Map(); // maps the name of a set to { values, chosen }
     this.list = el("div");
     const button = (text, action, attributes) => el("button", { type: "button", class: "button", onclick: action, ...attributes }, text);
-    this.writeButton = button("Write to source", write, { disabled: true, title: "Put these values into the text" });
+    this.writeButton = button("Write to source", write, { class: "button write-source", disabled: true, title: "Put these values into the text" });
     this.resetButton = button("Reset all", () => { for (const p of this.changed()) this.set(p.name, p.default); }, { disabled: true });
     this.setList = el("div", { class: "sets" });
     this.compareButton = button("Compare", () => this.compare(this.#chosen()), { disabled: true, title: "Show the chosen sets beside each other" });

@@ -1,7 +1,7 @@
 // Contains the source pane: CodeMirror with Scheme's colours, brackets coloured by depth, indentation, completion,
 // messages in place.
 import { EditorView, keymap, lineNumbers, highlightActiveLine, highlightActiveLineGutter, drawSelection, Decoration, ViewPlugin } from "@codemirror/view";
-import { EditorState, StateField, StateEffect, RangeSetBuilder, Transaction } from "@codemirror/state";
+import { EditorState, StateField, StateEffect, RangeSetBuilder, Transaction, Compartment } from "@codemirror/state";
 import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
 import { searchKeymap, highlightSelectionMatches } from "@codemirror/search";
 import { autocompletion, completionKeymap, closeBrackets, closeBracketsKeymap } from "@codemirror/autocomplete";
@@ -148,9 +148,10 @@ export class Source {
       return { from: word.from, options: [...own.map((label) => ({ label, info, boost: 1 })), ...found.slice(0, 300).filter((label) => !known.has(label)).map((label) => ({ label, info }))],
         validFor: /^[^\s()\[\]{}"';`,]*$/ };
     };
+    this.reading = new Compartment();
     this.view = new EditorView({
       parent: place,
-      state: EditorState.create({ doc: "", extensions: [lineNumbers(), lintGutter(), history(), drawSelection(), highlightActiveLine(), highlightActiveLineGutter(), bracketMatching(), closeBrackets(), indentation, indentUnit.of("  "), scheme, syntaxHighlighting(colours), theme, EditorView.lineWrapping, hanging, rainbow, marks,
+      state: EditorState.create({ doc: "", extensions: [this.reading.of([]), lineNumbers(), lintGutter(), history(), drawSelection(), highlightActiveLine(), highlightActiveLineGutter(), bracketMatching(), closeBrackets(), indentation, indentUnit.of("  "), scheme, syntaxHighlighting(colours), theme, EditorView.lineWrapping, hanging, rainbow, marks,
         highlightSelectionMatches(), autocompletion({ override: [names], activateOnTypingDelay: 250 }),
         EditorView.domEventHandlers({ mousedown: (event, view) => event.altKey && this.#drag(event, view) }),
         keymap.of([{ key: "Ctrl-ArrowUp", run: () => this.#step(1) }, { key: "Ctrl-ArrowDown", run: () => this.#step(-1) },
@@ -211,6 +212,11 @@ export class Source {
     if (at !== this.view.state.selection.main.head) return;
     this.hint.hidden = !shown;
     this.hint.replaceChildren(...(shown ? [shown] : []));
+  }
+
+  setReadOnly(on) {
+    if (on === this.view.state.readOnly) return;
+    this.view.dispatch({ effects: this.reading.reconfigure(on ? EditorState.readOnly.of(true) : []) });
   }
 
   get text() { return this.base === undefined ? undefined : this.view.state.doc.toString(); }
@@ -277,7 +283,7 @@ export class Source {
   #turn(at, text, steps) {
     const places = (text.split(".")[1] || "").length, value = (Number(text) + steps * 10 ** -places).toFixed(places).replace(/^-(0(\.0*)?)$/, "$1");
     const now = this.numberAt(at);
-    if (!now || now.text === value) return;
+    if (!now || now.text === value || this.view.state.readOnly) return;
     this.view.dispatch({ changes: { from: now.from, to: now.to, insert: value }, selection: { anchor: now.from, head: now.from + value.length }, userEvent: "input.turn" });
     this.attempt(this.text);
   }
