@@ -25,6 +25,7 @@ async function fresh() {
   await page.evaluate(() => window.live.conflict.close());
   await page.evaluate((text) => { const { live } = window; live.source.load(text); live.source.attempt(text); return live.readSource(); }, source);
   await page.waitForFunction((text) => window.live.source.text === text && !window.live.state.trial && window.live.state.good && window.live.state.parameters[0]?.default === "3.0" && Math.abs(window.visualscheme.model.size[2] - 3) < 1e-6, source, { timeout: 10000 });
+  for (let run = -1, now; (now = (await facts()).run) !== run; run = now) await pause(400); // No run is on its way.
 }
 await page.waitForFunction(() => window.live.finished > 0);
 
