@@ -1,9 +1,9 @@
 /* Writes a drawing to a file: finds the format, opens a temporary file beside the target, writes the text, checks for
  * failures, and renames the file.
  *
- * A file appears completely or not at all (publish.c): it is flushed to disk, and receives its name last. For a
- * rendered format, the text goes to a private folder (povray/povray_worker.c), and the picture goes to such a temporary
- * file. */
+ * A file appears completely or not at all (publish.c): it is flushed to disk before it gets its name. For a rendered
+ * format, the text goes to a private folder (povray/povray_worker.c), and the picture to a temporary file beside the
+ * target. */
 #define _XOPEN_SOURCE 700
 #include "backends/export.h"
 
@@ -50,7 +50,7 @@ const vs_format *vs_export_format_find(const char *text) {
 
 /* ---- files ---- */
 
-typedef struct { int file; int problem; /* errno of the first failure */ } export_file;
+typedef struct { int file; int problem; /* errno of the first failure, or 0 */ } export_file;
 
 static bool export_file_sink(void *context, const void *bytes, size_t count) {
   export_file *f = context;
@@ -108,7 +108,7 @@ static vs_writer *export_writer(vs_emitter *e, vs_sink_fn *sink, void *context) 
 }
 
 /* Writes the text (for a rendered format: the scene) to an open file. Returns false, with the reason in e's error, on
- * any failure, including a failure of the file. */
+ * any failure, including a failure to write the file. */
 static bool export_to_file(vs_emitter *e, int file, const char *path, bool sync) {
   export_file f = { file, 0 };
   vs_writer *w = export_writer(e, export_file_sink, &f);
@@ -131,7 +131,7 @@ static char *export_join(const char *a, const char *b, unsigned long number) {
   return text;
 }
 
-/* Returns false if path is an input file of the model. The export never replaces an input file. */
+/* Returns false if path is an input file of the model, which no export replaces. */
 static bool export_may_write(vs_emitter *e, const char *path) {
   return !vs_known_files_read(e->options->inputs, path) ||
          vs_error_set(e->error, VS_ERROR_FILE, NULL, "cannot write %s: the model has read it", path);
@@ -153,14 +153,15 @@ bool vs_emit_file(vs_emitter *e, const char *path, bool (*fill)(vs_emitter *e)) 
   return f.problem != 0 ? export_problem(e->error, path, f.problem) : ok;
 }
 
-/* Writes the scene of a rendered format into a private folder, runs the worker, and puts the picture at `output`. */
+/* Writes the scene of a rendered format into a private folder, runs the worker program, and moves the picture to
+ * `output`. */
 static bool export_render(vs_emitter *e, const char *output) {
   const char *base = getenv("TMPDIR");
   if (base == NULL || base[0] != '/') base = "/tmp";
   vs_publish_sweep(base, "visualscheme-work-", "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789");
   char *folder = export_join(base, "/visualscheme-work-XXXXXX", 0);
   char *text = NULL;
-  int lock = -1; /* lock: descriptor of the folder, which is locked while the process runs, so that other processes do
+  int lock = -1; /* lock: descriptor of the folder, which is locked while this process runs, so that other processes do
                   * not remove it */
   bool made = false, ok = false;
   if (folder == NULL) {
@@ -250,7 +251,7 @@ static bool export_render_to(vs_emitter *e, vs_sink_fn *sink, void *context) {
 
 const char *vs_export_family(const vs_format *format) { return format->backend->family; }
 
-/* Turns the drawing from Z upwards to Y upwards: x, y and z become x, z and -y. */
+/* Rotates the drawing from Z upwards to Y upwards: x, y and z become x, z and -y. */
 static bool turn_up(vs_scene *scene, vs_error *e) {
   static const struct vs_transform turn = { .matrix = { { { 1, 0, 0, 0 }, { 0, 0, 1, 0 }, { 0, -1, 0, 0 } } } };
   for (size_t i = 0; i < scene->drawn_count; i++) {
@@ -278,7 +279,7 @@ bool vs_export_sugar(vs_scene *scene, const vs_format *format, const vs_export_o
          (!options->up_y || !vs_backend_has(b, VS_TURNS) || turn_up(scene, e));
 }
 
-/* The emitter of an export. Its options, job and error are used if the caller does not pass any. */
+/* Data of an export: its emitter, and the options, job and error that are used if the caller passes NULL for them. */
 typedef struct {
   vs_emitter emitter;
   vs_export_options defaults;
@@ -286,7 +287,8 @@ typedef struct {
   vs_error unread;
 } export_run;
 
-/* Sets up an emitter that refers to data in *run, so *run must remain at its address. options and e may be NULL. */
+/* Initialises the emitter in *run and returns it. It contains pointers to *run, which must therefore not be moved.
+ * options and e may be NULL. */
 static vs_emitter *export_begin(export_run *run, const vs_scene *scene, const vs_format *format,
                                 const vs_export_options *options, vs_error *e) {
   vs_export_options_init(&run->defaults);
@@ -301,7 +303,7 @@ static vs_emitter *export_begin(export_run *run, const vs_scene *scene, const vs
   return &run->emitter;
 }
 
-/* Returns ok. If the completed file has a fault (e->flaw), sets the error and returns false. */
+/* Returns ok. But if the completed file has a fault (e->flaw), sets the error and returns false. */
 static bool export_tell_flaw(vs_emitter *e, bool ok) {
   if (!ok || e->flaw.kind == VS_ERROR_NONE) return ok;
   *e->error = e->flaw;

@@ -17,19 +17,20 @@ typedef enum { VS_RENDER_GOOD, VS_RENDER_DRAFT, VS_RENDER_FINAL } vs_render_qual
 
 typedef struct {
   int width, height;  /* size of pictures and pages in pixels; 0: the default size, 1024 x 768 */
-  int crop[4];        /* part of a picture to render: left, top, columns and rows in pixels. 0 columns: the entire
+  int crop[4];        /* part of a picture to render: left, top, columns and rows in pixels; if columns is 0, the whole
                        * picture */
   vs_render_quality quality;
-  vs_tone tone;       /* conversion of light to the numbers of a .png */
-  bool layers;        /* true if an .exr also contains depth, normal, albedo, id, material and ambient occlusion */
-  const char *view;   /* name of the view of a drawing; "*": all views; NULL: the view that the file's name ends with */
+  vs_tone tone;       /* conversion of light to the values of a .png */
+  bool layers;        /* whether an .exr also contains depth, normal, albedo, id, material and ambient occlusion */
+  const char *view;   /* name of the view of a drawing; "*": all views; NULL: the view with whose name the file's name
+                       * ends */
   unsigned threads;   /* number of processors that a worker program may use; 0: all processors */
-  const void *given;  /* finished text that vs_backend_given writes instead of a drawing */
+  const void *given;  /* finished text, which vs_backend_given writes instead of a drawing */
   size_t given_size;
-  bool up_y;          /* true if a format with VS_TURNS gets the model with Y upwards, not Z */
-  bool strict;        /* true if a warning that a format omits or changes an object becomes an error */
-  bool safe;          /* true if limits are set, so that no text of the user reaches a target program as directives */
-  const vs_known_files *inputs; /* input files of the drawing, which are never replaced; NULL: none */
+  bool up_y;          /* whether formats with VS_TURNS get the model with Y upwards instead of Z */
+  bool strict;        /* whether a warning that a format omits or changes an object is an error */
+  bool safe;          /* whether limits are set, so that no text of the user reaches a worker program as directives */
+  const vs_known_files *inputs; /* input files of the model, which no export replaces; NULL: none */
   vs_job *job;        /* limits, messages and progress of this output; NULL: there are no limits, and messages are
                        * dropped */
 } vs_export_options;
@@ -53,8 +54,8 @@ const vs_format *vs_export_format_at(size_t index);
 const vs_format *vs_export_format_find(const char *text); /* Returns the format for "pov", ".pov", "a/b.pov" or
                                                            * "povray", or NULL if there is no such format. */
 
-const char *vs_export_family(const vs_format *format); /* Returns the name that the format has in common with others
-                                                        * ("povray" for .png), or NULL if it has only its own names. */
+const char *vs_export_family(const vs_format *format); /* Returns the name that the format has in common with other
+                                                        * formats ("povray" for .png), or NULL if it has none. */
 
 /* Replaces the kinds only, ghost, highlight, native and the user-defined kinds by simpler kinds that have their meaning
  * in this format (passes/sugar.h). Call it before the passes. */
@@ -65,7 +66,8 @@ bool vs_export_sugar(vs_scene *scene, const vs_format *format, const vs_export_o
  * remains on disk. */
 bool vs_export(const vs_scene *scene, const vs_format *format, const char *path, const vs_export_options *options,
                vs_error *e);
-/* Writes the drawing to a sink of the caller. After a failure, the sink may have received a part of the output. */
+/* Writes the drawing by calls of the function `sink`. After a failure, the sink may have received a part of the
+ * output. */
 bool vs_export_to(const vs_scene *scene, const vs_format *format, vs_sink_fn *sink, void *context,
                   const vs_export_options *options, vs_error *e);
 

@@ -1,4 +1,4 @@
-/* Keeps the list of files that a run has read, because no output may overwrite them.
+/* Implements the list of the files that a run has read. No output may overwrite these files.
  *
  * A file is identified by device and inode, so that links and other spellings of its name count as the same file. It is
  * also identified by its name, because an editor that saves a file creates a new file of that name. A file that the

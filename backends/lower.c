@@ -1,8 +1,8 @@
 /* Implements lowering, the replacement of nodes that a format cannot express: curves by polylines, all other objects by
  * triangles.
  *
- * All formats use the triangles that this file makes: geometry/ computes those of shapes with a formula, kernel/ those
- * of booleans. */
+ * All formats use the triangles that this file computes: geometry/ computes those of shapes with a formula, kernel/
+ * those of booleans. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -32,8 +32,8 @@ static vs_node *lower_polyface(vs_emitter *e, const vs_mesh *m, bool closed) {
   return made;
 }
 
-/* Makes a region with polyline boundaries from a union, intersection or difference of regions. The operation has a
- * single material and layer, which a node around it sets (passes/looks.h). */
+/* Returns a region with polyline boundaries that equals a union, intersection or difference of regions. The operation
+ * has a single material and layer, which a node around it sets (passes/looks.h). */
 static vs_node *lower_region(vs_emitter *e, const vs_ref *ref) {
   vs_store *store = e->scene->store;
   vs_outline o = { .count = 0 };
@@ -66,7 +66,7 @@ bool vs_lower_as_area(const vs_emitter *e, const vs_node *n) {
   return true;
 }
 
-/* Makes a solid of the part of a half-space that lies in the bounds of the drawing. */
+/* Returns a solid that is the part of a half-space within the bounds of the drawing. */
 static vs_node *lower_half_space(vs_emitter *e, const vs_ref *ref) {
   const struct vs_half_space *h = VS_AS(half_space, ref->node);
   vs_mesh m = { 0 };
@@ -77,8 +77,8 @@ static vs_node *lower_half_space(vs_emitter *e, const vs_ref *ref) {
   return made;
 }
 
-/* Makes simpler solids whose union is the shape, for a format that writes set operations. Returns NULL and sets *fits
- * to false if triangles are better. Returns NULL with *fits true if memory is out. */
+/* Returns a node of simpler solids whose union is the shape, for a format that writes set operations. Returns NULL and
+ * sets *fits to false if triangles are better. Returns NULL with *fits true if memory is out. */
 static vs_node *lower_parts(vs_emitter *e, const vs_ref *ref, bool *fits) {
   const vs_shape *shape = vs_shape_of(ref->node);
   *fits = shape != NULL && shape->parts != NULL && e->backend->emit[VS_DIFFERENCE].fn != NULL;
@@ -164,11 +164,12 @@ bool vs_lower_objects(vs_emitter *e, const vs_refs *refs, int depth, vs_bends be
   return vs_solid_of_objects(refs, depth, &e->facets, &options, out, e->error);
 }
 
-/* The destination of the drawing's solids: a single mesh (one), or a mesh for each group of equal parts (many). Either
+/* The result for the drawing's solids: a single mesh (one), or a mesh for each group of equal parts (many). Either
  * pointer is NULL. */
 typedef struct { vs_solid *one; vs_solid_copies *many; } lowered;
 
-/* Makes the solids of the drawing and rounds them to the format's numbers. Counts the changes that rounding makes. */
+/* Computes the meshes of the drawing's solids, and rounds them to the format's numbers. Adds the changes that rounding
+ * makes to *what. */
 static bool lower_once(vs_emitter *e, vs_bends bends, lowered to, vs_rounded *what) {
   const vs_scene *s = e->scene;
   const vs_refs drawn = { s->drawn, s->drawn_count };
@@ -193,8 +194,9 @@ static void lower_swap(lowered a, lowered b) {
   }
 }
 
-/* Makes the solids of the drawing with straight cuts, without the bends that the kernel's grid causes. If triangles of
- * the result intersect, makes the solids again with bends, and keeps the result with fewer intersections. */
+/* Computes the meshes of the drawing's solids with straight cut edges, without the bends that the kernel's grid causes.
+ * If triangles of the result intersect, computes the meshes again with bends, and keeps the result with fewer
+ * intersections. */
 static bool lower_drawing(vs_emitter *e, lowered to) {
   vs_rounded what = { 0 }, bent_what = { 0 };
   vs_solid bent = { .part_count = 0 };
@@ -215,7 +217,7 @@ bool vs_lower_drawing_copies(vs_emitter *e, vs_solid_copies *out) {
   return lower_drawing(e, (lowered){ .many = out });
 }
 
-/* Converts a primitive to triangles. Stores the result in the cache for other outputs if making it takes longer than
+/* Converts a primitive to triangles. Stores the result in the cache for later outputs if computing it takes longer than
  * finding it in the cache. */
 static bool lower_primitive(vs_emitter *e, vs_node *n, const vs_kernel_options *options, vs_mesh *out, vs_error *why) {
   vs_cache *cache = vs_store_cache(e->scene->store);

@@ -4,11 +4,11 @@
 
 #include "backends/writer.h"
 
-/* Writes the number's text, NUL-terminated, and returns its length. Writes "0" for a number that is not finite. Callers
- * check for such numbers first; the "0" keeps the file readable. */
+/* Writes the text of x, NUL-terminated, and returns its length. Writes "0" for a number that is not finite. Callers
+ * check for such numbers before; the "0" keeps the file readable. */
 size_t vs_number_text(double x, char out[VS_NUMBER_ROOM]);
-/* Writes the number's text without a NUL and returns the position after the text. It may overwrite up to VS_NUMBER_ROOM
- * bytes from `to`, also after the text. */
+/* Writes the text of x without a NUL, and returns the position after the text. It may overwrite up to VS_NUMBER_ROOM
+ * bytes from `to` on, even after the text. */
 char *vs_number_write(char *to, double x);
 
 #endif

@@ -1,5 +1,5 @@
-/* Contains the declarations for the files of the glTF back-end: gltf_collect.c makes meshes and nodes from the drawing,
- * gltf_file.c writes them to the file.
+/* Contains the declarations for the files of the glTF back-end: gltf_collect.c converts the drawing to meshes and
+ * nodes, gltf_file.c writes them to the file.
  *
  * A geometry consists of triangles or lines in coordinates of its own, and is written once. A mesh is a geometry with a
  * colour, because glTF's nodes cannot set colours. A node places a mesh. A million copies of a part are therefore a
@@ -20,8 +20,8 @@ typedef struct {
   uint32_t pictured;           /* number of the primitive, from 1, among the primitives whose vertices have texture
                                 * coordinates; 0: its vertices have none */
   size_t places;               /* offset of the texture coordinates in the array `places` */
-  size_t vertices, indices;    /* vertices: offset in bytes in the arrays of positions and of normals. indices: offset
-                                * in bytes in the array of indices of this width */
+  size_t vertices, indices;    /* vertices: offset in bytes in the array of positions and in that of normals. indices:
+                                * offset in bytes in the array of 16-bit or 32-bit indices */
   float min[3], max[3];        /* bounds of the primitive's positions */
 } vs_gltf_primitive;
 typedef struct {
@@ -45,10 +45,10 @@ typedef struct {
   size_t node_count, node_room;
   const char **layers;         /* names of layers; index 0 means that there is no layer */
   size_t layer_count, layer_room;
-  uint32_t *open_layers;       /* numbers of the layers around the current node */
+  uint32_t *open_layers;       /* numbers of the layers that contain the current node */
   size_t open_count, open_room;
   vs_shared_shapes shapes;     /* numbers of the geometries that are used at several places */
-  vs_rounded settled; /* changes that rounding to 32 bits made to shapes, for the warning */
+  vs_rounded settled; /* changes of shapes by rounding to 32 bits, for the warning */
 } vs_gltf;
 
 /* ---- gltf_collect.c ---- */

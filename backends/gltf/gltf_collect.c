@@ -1,9 +1,8 @@
 /* Converts the drawing to glTF's meshes and nodes.
  *
- * In two cases, several places use one geometry. The first are copies of a unit form (such as a sphere of radius 1)
- * with the same number of facets. The second are places of the same node of the model. (The share pass makes equal
- * parts one node.) A glTF node cannot express a placement that shears. The triangles are then made for that place
- * alone. */
+ * Several places use one geometry in two cases: copies of a unit form (such as a sphere of radius 1) with the same
+ * number of facets, and places of the same node of the model. (The share pass makes equal parts one node.) A glTF node
+ * cannot express a placement that shears. The triangles are then computed for that place alone. */
 #include "backends/gltf/gltf_collect.h"
 
 #include <float.h>
@@ -78,7 +77,7 @@ static bool gltf_vertex(vs_emitter *e, vs_gltf_primitive *p, vs_vec3 at, vs_vec3
   return gltf_vector(e, &g->positions, at) && gltf_vector(e, &g->normals, normal);
 }
 
-/* Adds the indices with 16 or 32 bits each, as the number of vertices requires. All indices fit into 32 bits. */
+/* Adds the indices, with 16 bits each if the number of vertices permits this, otherwise with 32 bits. */
 static bool gltf_indices(vs_emitter *e, vs_gltf_primitive *p, const uint32_t *index, size_t count) {
   vs_gltf *g = e->state;
   p->wide = p->vertex_count >= 65535; /* glTF does not allow the largest number of 16 bits as an index */
@@ -123,8 +122,8 @@ static bool gltf_is_edge(const vs_affine *place, const vs_mesh *m, const uint32_
 }
 
 /* Adds a triangle with texture coordinates. It has vertices of its own, because the picture may end at its edges.
- * there: map from the vertices to the drawing, whose axes place pictures. The first triangle of a primitive begins the
- * primitive's texture coordinates. */
+ * there: map from the vertices to the drawing, along whose axes pictures are placed. p: primitive whose first such
+ * triangle begins its texture coordinates. */
 static bool gltf_pictured(vs_emitter *e, vs_gltf_primitive *p, const vs_vec3 at[3], const vs_vec3 normals[3],
                           const vs_affine *there, const vs_material *m) {
   vs_gltf *g = e->state;
@@ -146,15 +145,15 @@ static bool gltf_pictured(vs_emitter *e, vs_gltf_primitive *p, const vs_vec3 at[
   return true;
 }
 
-/* Data that are used while a solid is converted to a geometry. */
+/* Data for converting a solid to a geometry. */
 typedef struct {
   vs_shaded_solid shaded;
-  const vs_affine *there;      /* map from the geometry to the drawing, whose axes place pictures; NULL: the solid has
-                                * no picture */
-  uint32_t *index;             /* indices, with room for the corners of all triangles */
+  const vs_affine *there;      /* map from the geometry to the drawing, along whose axes pictures are placed; NULL: the
+                                * solid has no picture */
+  uint32_t *index;             /* array for indices, with room for the corners of all triangles */
 } gltf_making;
 
-/* Adds triangle i with texture coordinates. */
+/* Adds triangle i of a solid with texture coordinates to the primitive p. */
 static bool gltf_add_pictured(vs_emitter *e, vs_gltf_primitive *p, const gltf_making *from, size_t i,
                               const vs_material *look) {
   const vs_shaded_solid *s = &from->shaded;
@@ -167,7 +166,7 @@ static bool gltf_add_pictured(vs_emitter *e, vs_gltf_primitive *p, const gltf_ma
   return gltf_pictured(e, p, corners, normals, from->there, look);
 }
 
-/* Adds triangle i, and writes the numbers of its vertices to `index`. */
+/* Adds triangle i of a solid to the primitive p, and writes the numbers of its vertices to `index`. */
 static bool gltf_add_triangle(vs_emitter *e, vs_gltf_primitive *p, const vs_shaded_solid *s, size_t i,
                               uint32_t index[3]) {
   for (int k = 0; k < 3; k++) {
@@ -181,7 +180,7 @@ static bool gltf_add_triangle(vs_emitter *e, vs_gltf_primitive *p, const vs_shad
   return true;
 }
 
-/* Adds the triangles that have this paint. */
+/* Adds the triangles of a solid whose material has the number `paint`, as a primitive. */
 static bool gltf_add_part(vs_emitter *e, gltf_making *from, uint32_t paint) {
   vs_gltf *g = e->state;
   const vs_solid *m = from->shaded.solid;
@@ -205,8 +204,8 @@ static bool gltf_add_part(vs_emitter *e, gltf_making *from, uint32_t paint) {
   return p == NULL || (vs_emit_triangles(e, count / 3) && gltf_indices(e, p, from->index, count));
 }
 
-/* Adds a solid as a geometry and sets the geometry's number. there: map from the geometry to the drawing, whose axes
- * place pictures; NULL: the solid has no picture. */
+/* Adds a solid as a geometry, and sets *number to its number. there: map from the geometry to the drawing, along whose
+ * axes pictures are placed; NULL: the solid has no picture. */
 static bool gltf_add_solid(vs_emitter *e, const vs_solid *m, const vs_affine *place, const vs_affine *there,
                            double crease, uint32_t *number) {
   vs_gltf *g = e->state;
@@ -221,8 +220,8 @@ static bool gltf_add_solid(vs_emitter *e, const vs_solid *m, const vs_affine *pl
     ok = from.index != NULL || vs_emit_no_memory(e);
   }
   for (uint32_t paint = 0; ok && paint <= vs_emit_material_count(e); paint++)
-    if (paint == 0 || m->part_count > 0) /* without parts, all triangles have the colour of the place where the geometry
-                                          * is used */
+    if (paint == 0 || m->part_count > 0) /* without parts, all triangles have the colour of the place at which the
+                                          * geometry is used */
       ok = gltf_add_part(e, &from, paint);
   vs_emit_release(e, from.index, corners + 1, sizeof *from.index);
   vs_shaded_free(e, &from.shaded);
@@ -255,9 +254,9 @@ static bool gltf_place(vs_emitter *e, uint32_t geometry, const vs_affine *place)
   return true;
 }
 
-/* Adds a solid as gltf_add_solid does, but first moves it to its place and rounds it to 32-bit numbers. there: map from
- * this place to the drawing, for warnings. A vertex is written once for each of its normals, so readers cannot tell
- * from the indices that the mesh is closed. */
+/* Adds a solid as gltf_add_solid does, but first maps it by `place` and rounds it to 32-bit numbers. there: map from
+ * these coordinates to the drawing, for warnings. A vertex is written once for each of its normals, so readers cannot
+ * tell from the indices that the mesh is closed. */
 static bool gltf_add_settled(vs_emitter *e, const vs_solid *m, const vs_affine *place, const vs_affine *there,
                              double crease, uint32_t *number) {
   vs_gltf *g = e->state;
@@ -276,8 +275,8 @@ static bool gltf_add_settled(vs_emitter *e, const vs_solid *m, const vs_affine *
   return ok;
 }
 
-/* Returns true if n contains a picture. Pictures follow the drawing's axes, so the geometry of such a node is valid at
- * a single place only. */
+/* Returns true if n contains a picture. Pictures are placed along the drawing's axes, so the geometry of such a node is
+ * valid at a single place only. */
 static bool gltf_has_picture(const vs_emitter *e, const vs_node *n) {
   if (e->material != NULL && e->material->pattern.picture != NULL) return true;
   for (size_t i = vs_emit_is_painted(e, n) ? vs_emit_material_count(e) : 0; i > 0; i--)
@@ -346,8 +345,8 @@ vs_emit_status vs_gltf_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   return ok && gltf_place(e, number, &there) ? VS_EMITTED : VS_FAILED;
 }
 
-/* Does nothing for placements and paint, because the emitter already contains them. A layer remains open until the walk
- * leaves its node. */
+/* Does nothing for placements and paint, because the emitter contains them while shapes are written. A layer remains
+ * open until the walk leaves its node. */
 vs_emit_status vs_gltf_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   vs_gltf *g = e->state;
   if (ref->node->kind != VS_LAYER) return VS_EMITTED;

@@ -1,8 +1,8 @@
 /* Writes the .glb file: a header, the scene as JSON, and the numbers as bytes (glTF 2.0, sections 3 and 4).
  *
- * The file has the JSON's length before the JSON. The JSON is therefore made twice: once to measure its length, and
- * once to write it. In glTF, Y is up and lengths are in metres: the root node rotates and scales. Colours are linear in
- * glTF and sRGB in VisualScheme. */
+ * The length of the JSON precedes the JSON in the file. The JSON is therefore written twice: once to measure its
+ * length, and once to the file. In glTF, Y is up and lengths are in metres: the root node rotates and scales. Colours
+ * are linear in glTF and sRGB in VisualScheme. */
 #include "backends/gltf/gltf_file.h"
 
 #include <math.h>
@@ -18,8 +18,8 @@ typedef struct {
   vs_emitter *e;
   const uint32_t *order; /* indices of the nodes, sorted by layer */
   const size_t *starts;
-  size_t views[5], view_count; /* views: offsets in bytes of the first VIEW_COUNT buffer views. view_count: number of
-                                * all buffer views, including those of pictures */
+  size_t views[5], view_count; /* views: offsets in bytes of the first five buffer views. view_count: number of all
+                                * buffer views, including those of pictures */
 } gltf_file;
 
 enum { VIEW_POSITIONS, VIEW_NORMALS, VIEW_PLACES, VIEW_NARROW, VIEW_WIDE, VIEW_COUNT };
@@ -72,8 +72,8 @@ static size_t gltf_picture_bytes(const vs_emitter *e) {
   return bytes;
 }
 
-/* Writes the material with this number. lines: writes the copy of the material for lines. The file has such a copy of
- * each material after all materials, because light cannot show the shape of a line. */
+/* Writes the material with this number. lines: writes the copy of the material that lines use. These copies follow all
+ * materials in the file. Lines need them because light cannot show the shape of a line. */
 static void gltf_material(vs_emitter *e, vs_writer *w, size_t number, bool lines) {
   const vs_material *m = number > 0 ? vs_emit_material_at(e, number) : NULL;
   vs_vec3 color = m != NULL ? vs_v3(m->red, m->green, m->blue)
@@ -118,9 +118,9 @@ static void gltf_pictures(vs_writer *w, const gltf_file *f) {
 
 /* A range of numbers in a buffer view, which an accessor of glTF describes. */
 typedef struct {
-  size_t view, offset, count;      /* offset is in bytes; count is the number of items */
-  const vs_gltf_primitive *bounds; /* the primitive whose positions the range contains; NULL: the range contains other
-                                    * data */
+  size_t view, offset, count;      /* offset: in bytes, in the buffer view; count: number of items */
+  const vs_gltf_primitive *bounds; /* if the range contains the positions of a primitive, this primitive; otherwise
+                                    * NULL */
 } gltf_stretch;
 
 static void gltf_accessor(vs_writer *w, const gltf_file *f, size_t *index, gltf_stretch s) {
@@ -142,7 +142,7 @@ static void gltf_accessor(vs_writer *w, const gltf_file *f, size_t *index, gltf_
 static void gltf_accessors(vs_writer *w, const gltf_file *f, const vs_gltf *g) {
   size_t index = 0;
   vs_puts(w, ",\"accessors\":[");
-  for (size_t i = 0; i < g->primitive_count && !w->failed; i++) { /* each primitive i has three accessors: 3i, 3i + 1,
+  for (size_t i = 0; i < g->primitive_count && !w->failed; i++) { /* three accessors for each primitive: numbers 3i to
                                                                    * 3i + 2 */
     const vs_gltf_primitive *p = &g->primitives[i];
     size_t indices = p->wide ? VIEW_WIDE : VIEW_NARROW;
@@ -150,8 +150,8 @@ static void gltf_accessors(vs_writer *w, const gltf_file *f, const vs_gltf *g) {
     gltf_accessor(w, f, &index, (gltf_stretch){ VIEW_NORMALS, p->vertices, p->vertex_count, NULL });
     gltf_accessor(w, f, &index, (gltf_stretch){ indices, p->indices, p->index_count, NULL });
   }
-  for (size_t i = 0; i < g->primitive_count && !w->failed; i++) { /* the accessors of texture coordinates follow; few
-                                                                   * primitives have them */
+  for (size_t i = 0; i < g->primitive_count && !w->failed; i++) { /* then the accessors of texture coordinates, which
+                                                                   * few primitives have */
     const vs_gltf_primitive *p = &g->primitives[i];
     if (p->pictured)
       gltf_accessor(w, f, &index, (gltf_stretch){ VIEW_PLACES, p->places, p->vertex_count, NULL });

@@ -1,10 +1,13 @@
-/* Writes .ifc (IFC 4, as text): a project with a site, a building and a storey for each `level`. An object is an
- * element; its layer chooses the class (classes.def). Its storey is the highest that begins below a tenth of its
- * height.
+/* Writes .ifc (IFC 4, as text): a project with a site, a building and a storey for each `level` note. An object is an
+ * element; its layer determines the class (classes.def). An element's storey is the highest that begins below a tenth
+ * of the element's height.
  *
- * Boxes, cylinders, and straight extrusions of polygons and circles are swept solids, other objects faces. A node that
- * is placed several times without a change of size is a mapped representation. Materials are surface styles, and
- * materials by name. Debian has no C library that writes IFC. */
+ * Boxes, cylinders, and straight extrusions of polygons and circles are written as swept solids, other objects as
+ * faces. A node that is placed several times without a change of size is a mapped representation, written once.
+ * Materials are written as surface styles, and as materials by name. Debian has no C library that writes IFC.
+ *
+ * A line of the file has a number, by which other lines refer to it. The members below that contain such numbers are
+ * called `line` numbers. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,29 +15,32 @@
 #include "backends/ifc/ifc_text.h"
 #include "model/store/nodemap.h"
 
-/* A storey: the number of its line and of its placement, its height, its elements. */
+/* A storey: the line numbers of the storey and of its placement, its height, and the list of its elements. */
 typedef struct { unsigned line, placement; double height; vs_ifc_list elements; } ifc_storey;
 
-/* A shape that several elements have, with its bounds. */
+/* A shape that several elements have. map: line number of its representation map; bounds: in its own coordinates;
+ * styled: whether its parts have their own materials. */
 typedef struct { unsigned map; vs_bounds bounds; bool styled; } ifc_map;
 
 typedef struct {
-  unsigned last;          /* the last number of a line */
-  unsigned things;        /* the number of ids up to now */
-  unsigned body;          /* the subcontext of bodies */
-  unsigned origin, axes, here; /* the point 0 0 0, the frame there, the placement of the whole */
-  unsigned unmoved;       /* the map of a mapped shape, which changes nothing */
-  ifc_storey *storeys;    /* lowest first */
+  unsigned last;          /* number of the last line written */
+  unsigned things;        /* number of global ids written so far */
+  unsigned body;          /* line number of the subcontext `Body`, to which shapes belong */
+  unsigned origin, axes, here; /* line numbers: of the point 0 0 0, of the coordinate frame at this point, and of the
+                                * placement of the whole model */
+  unsigned unmoved;       /* line number of the identity map, by which mapped shapes are used */
+  ifc_storey *storeys;    /* the storeys, lowest first */
   size_t storey_count, storey_room;
   ifc_map *maps;
   size_t map_count, map_room;
-  vs_nodemap shared;      /* from a node to the index of its map, plus 1 */
-  unsigned *styles;       /* for each material the number of its surface style; 0: not written yet */
-  vs_ifc_list *painted;   /* for each material its elements */
-  vs_ifc_list items;      /* the items of the shape that is being made */
-  vs_bounds bounds;       /* bounds of that shape */
-  bool mirrored;          /* true if the points of that shape are mirrored, so that its faces are turned */
-  bool styled;            /* true if that shape has the material of its parts */
+  vs_nodemap shared;      /* for a node, 1 + the index of its ifc_map */
+  unsigned *styles;       /* styles[i]: line number of the surface style of material i; 0: not written yet */
+  vs_ifc_list *painted;   /* painted[i]: list of the elements with material i */
+  vs_ifc_list items;      /* line numbers of the items of the shape that is being written */
+  vs_bounds bounds;       /* bounds of the shape that is being written */
+  bool mirrored;          /* whether the placement mirrors the shape that is being written, so that the corners of its
+                           * faces are reversed */
+  bool styled;            /* whether parts of the shape that is being written have their own materials */
 } ifc;
 
 static ifc *state_of(const vs_emitter *e) { return e->state; }
@@ -58,7 +64,7 @@ static unsigned put_direction(vs_emitter *e, vs_vec3 v) {
   return line;
 }
 
-/* Writes a frame with its Z and X axes, which are perpendicular unit vectors. */
+/* Writes a coordinate frame at a point, by its Z and X axes, which are perpendicular unit vectors. */
 static unsigned put_frame(vs_emitter *e, vs_vec3 at, vs_vec3 z, vs_vec3 x) {
   unsigned point = put_point(e, at), up = put_direction(e, z), across = put_direction(e, x), line = next_line(e);
   vs_ifc_begin(e->out, line, "IFCAXIS2PLACEMENT3D");
@@ -77,7 +83,7 @@ static unsigned put_placement(vs_emitter *e, unsigned within, unsigned frame) {
   return line;
 }
 
-/* Begins a thing with a global id: NAME('id',$, . */
+/* Begins the line of an object that has a global id: NAME('id',$, . */
 static unsigned begin_thing(vs_emitter *e, const char *name) {
   unsigned line = next_line(e);
   vs_ifc_begin(e->out, line, name);
@@ -121,12 +127,12 @@ static void put_style(vs_emitter *e, unsigned item, const vs_material *m) {
 
 /* ---- swept solids ---- */
 
-/* A profile in space: the loops of polygons, of which the first is the outer one, or a circle. */
+/* A profile: loops of polygons, of which the first is the outer one, or a circle. */
 typedef struct {
   const vs_points *loops[64];
   size_t loop_count;
-  double radius;       /* of a circle; 0: the profile consists of loops */
-  vs_vec3 at, z, x, y; /* its frame */
+  double radius;       /* radius of the circle; 0: the profile consists of loops */
+  vs_vec3 at, z, x, y; /* frame of the profile's plane: origin, normal, and axes x and y */
 } ifc_profile;
 
 static vs_vec3 loop_normal(const vs_points *p) {
@@ -136,7 +142,7 @@ static vs_vec3 loop_normal(const vs_points *p) {
   return sum;
 }
 
-/* Returns true if the point lies within the loop, both seen along z. */
+/* Returns true if the point p lies within the loop, both projected along z. */
 static bool within_loop(const ifc_profile *f, const vs_points *loop, vs_vec3 p) {
   bool inside = false;
   double px = vs_v3_dot(p, f->x), py = vs_v3_dot(p, f->y);
@@ -148,7 +154,8 @@ static bool within_loop(const ifc_profile *f, const vs_points *loop, vs_vec3 p) 
   return inside;
 }
 
-/* Sets the frame of a profile of loops. Returns false if the loops are not in one plane, or not holes of the first. */
+/* Sets the frame of a profile of loops. Returns false if the loops are not in one plane, or if a later loop is no hole
+ * of the first. */
 static bool frame_loops(ifc_profile *f) {
   size_t outer = 0;
   for (size_t i = 1; i < f->loop_count; i++)
@@ -227,7 +234,8 @@ static unsigned put_profile(vs_emitter *e, const ifc_profile *f) {
   return line;
 }
 
-/* Writes the profile, moved along the vector, as an item. Returns false if the vector lies in the profile's plane. */
+/* Writes the solid that the profile sweeps along a vector, as an item. Returns false if the vector lies in the
+ * profile's plane. */
 static bool put_swept(vs_emitter *e, const ifc_profile *f, vs_vec3 along) {
   ifc *d = state_of(e);
   double length = vs_v3_length(along), rise = vs_v3_dot(along, f->z);
@@ -270,7 +278,7 @@ static bool put_cylinder(vs_emitter *e, const struct vs_cylinder *c) {
                    along);
 }
 
-/* Writes the node as a swept solid, if it is one. */
+/* If the node can be a swept solid, writes it as such and returns true. */
 static bool put_solid(vs_emitter *e, const vs_node *n) {
   ifc_profile f;
   if (n->kind == VS_BOX) return put_box(e, VS_AS(box, n));
@@ -283,7 +291,8 @@ static bool put_solid(vs_emitter *e, const vs_node *n) {
 
 /* ---- faces ---- */
 
-/* Writes the triangles of the material with this number as an item. */
+/* Writes the triangles of the solid that have material number `paint`, as an item. points: line number of the list of
+ * points; all: writes all triangles. */
 static bool put_faces(vs_emitter *e, const vs_solid *m, size_t paint, unsigned points, bool all, bool closed) {
   const ifc *d = state_of(e);
   vs_writer *w = e->out;
@@ -310,7 +319,7 @@ static bool put_faces(vs_emitter *e, const vs_solid *m, size_t paint, unsigned p
   return vs_ifc_add(e, &state_of(e)->items, line);
 }
 
-/* Writes a mesh as items, one for each material, with its points at a place. */
+/* Writes a mesh as items, one for each material, with its points mapped by `place`. */
 static bool put_mesh(vs_emitter *e, const vs_ref *ref, const vs_affine *place) {
   vs_writer *w = e->out;
   const vs_solid *m = vs_emit_mesh(e, ref);
@@ -347,14 +356,15 @@ static unsigned put_representation(vs_emitter *e, const char *type, const vs_ifc
   return line;
 }
 
-/* Returns the highest storey that is not above z, or the lowest. */
+/* Returns the highest storey whose height is not above z or, if there is none, the lowest storey. */
 static ifc_storey *storey_at(ifc *d, double z) {
   size_t i = 0;
   while (i + 1 < d->storey_count && d->storeys[i + 1].height <= z) i++;
   return &d->storeys[i];
 }
 
-/* Writes an element with the representation at a place without a change of size. bounds: of the placed shape. */
+/* Writes an element. shape: line number of its representation; place: its placement, which must not change sizes;
+ * bounds: those of the placed shape. */
 static bool put_element(vs_emitter *e, const vs_ref *ref, unsigned shape, const vs_affine *place, vs_bounds bounds) {
   ifc *d = state_of(e);
   vs_writer *w = e->out;
@@ -375,13 +385,13 @@ static bool put_element(vs_emitter *e, const vs_ref *ref, unsigned shape, const 
   return vs_ifc_add(e, &s->elements, element) && (paint == 0 || vs_ifc_add(e, &d->painted[paint], element));
 }
 
-/* Returns true if the map keeps sizes and does not mirror. */
+/* Returns true if the map changes no lengths and does not mirror. */
 static bool is_rigid(const vs_affine *a) {
   double k;
   return vs_affine_even(a, &k) && fabs(k - 1) < 1e-12 && vs_affine_determinant(a) > 0;
 }
 
-/* Writes a shape that several elements have, and sets *index to the index of its map, plus 1. */
+/* Writes a shape that several elements have. Sets *index to 1 + the index of its ifc_map. */
 static bool put_map(vs_emitter *e, const vs_ref *ref, const char *type, uint64_t *index) {
   ifc *d = state_of(e);
   unsigned shape = put_representation(e, type, &d->items), map = next_line(e);
@@ -437,7 +447,7 @@ static vs_emit_status ifc_boolean(vs_emitter *e, const vs_ref *ref, vs_phase pha
   return ifc_leaf(e, ref, phase) == VS_EMITTED ? VS_WHOLE : VS_FAILED;
 }
 
-/* Does nothing for placements, paint and layers, because the emitter already contains them. */
+/* Does nothing for placements, paint and layers, because the emitter contains them while shapes are written. */
 static vs_emit_status ifc_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)e, (void)ref, (void)phase;
   return VS_EMITTED;
@@ -445,7 +455,8 @@ static vs_emit_status ifc_through(vs_emitter *e, const vs_ref *ref, vs_phase pha
 
 /* ---- the project ---- */
 
-/* Writes the units: lengths in the model's unit, areas and volumes in metres, angles in radians. */
+/* Writes the units: lengths in model units, areas and volumes in square and cubic metres, angles in radians. Returns
+ * the line number. */
 static unsigned put_units(vs_emitter *e) {
   static const struct { const char *unit, *prefix, *name;
   } units[] = { { "m", "$", NULL },
@@ -475,7 +486,7 @@ static unsigned put_units(vs_emitter *e) {
   return all;
 }
 
-/* Writes that the parts compose the whole. */
+/* Writes that the project, site or building `whole` consists of the parts in a list. */
 static void put_aggregate(vs_emitter *e, unsigned whole, const vs_ifc_list *parts) {
   begin_thing(e, "IFCRELAGGREGATES");
   vs_putf(e->out, "$,$,#%u,", whole);
@@ -501,7 +512,8 @@ static bool put_storey(vs_emitter *e, const char *name, double height, vs_ifc_li
   return vs_ifc_add(e, made, line);
 }
 
-/* Writes a storey for each height of a level note, or one at 0. */
+/* Writes a storey for the height of each level note or, if there is none, a storey at 0. Adds their line numbers to
+ * `made`. */
 static bool put_storeys(vs_emitter *e, vs_ifc_list *made) {
   const vs_scene *s = e->scene;
   size_t count = 0, room = (s->note_count + 1) * sizeof(const vs_scene_note *);
@@ -580,7 +592,7 @@ static bool ifc_begin(vs_emitter *e) {
   return put_project(e);
 }
 
-/* Writes which elements are in which storey, and of which material. */
+/* Writes which elements belong to each storey, and which have each material. */
 static bool ifc_end(vs_emitter *e) {
   ifc *d = state_of(e);
   vs_writer *w = e->out;

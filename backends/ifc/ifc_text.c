@@ -1,4 +1,4 @@
-/* Spells the lines of IFC (STEP's text, ISO 10303-21), and finds the classes of layers. */
+/* Writes the lines of IFC (STEP's text, ISO 10303-21), and finds the IFC classes for layers. */
 #include <ctype.h>
 #include <string.h>
 
@@ -64,7 +64,7 @@ void vs_ifc_triple(vs_writer *w, vs_vec3 v) {
   vs_puts(w, ")");
 }
 
-/* An id has 128 bits: two bits in the first of 22 signs, six in each other. */
+/* A global id has 128 bits: two bits in the first of its 22 characters, six bits in each other character. */
 void vs_ifc_id(vs_writer *w, const char *title, unsigned number) {
   static const char signs[] = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_$";
   uint64_t part[2] = { vs_hash_mix(vs_hash_bytes(1, title, strlen(title)), number), 0 };
@@ -79,7 +79,7 @@ void vs_ifc_id(vs_writer *w, const char *title, unsigned number) {
   vs_put(w, id, sizeof id);
 }
 
-/* Returns true if a word of `name` begins with one of the words. */
+/* Returns true if a word in `name` begins with one of the words in `words`. */
 static bool has_word(const char *name, const char *words) {
   while (*words != '\0') {
     size_t length = strcspn(words, " ");

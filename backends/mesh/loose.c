@@ -1,4 +1,4 @@
-/* Collects the lines and open faces of a drawing in a walk. The walk skips solids, because the kernel makes their
+/* Collects the lines and open faces of a drawing in a walk. The walk skips solids, because the kernel computes their
  * union. */
 #include <string.h>
 
@@ -22,8 +22,8 @@ void vs_loose_close(vs_emitter *e) {
   e->state = NULL;
 }
 
-/* Allocates memory for points and corners, and begins a run: a line, or a list of triangles. The caller has moved the
- * points by e->placement. */
+/* Allocates memory for points and corners, and begins a run: a line, or a list of triangles. The caller must have
+ * mapped the points by e->placement. */
 static bool loose_add(vs_emitter *e, bool line, const vs_vec3 *points, size_t point_count, size_t corner_count) {
   vs_loose *l = e->state;
   if (l->point_count + point_count > UINT32_MAX)
@@ -75,7 +75,8 @@ vs_emit_status vs_loose_through(vs_emitter *e, const vs_ref *ref, vs_phase phase
 
 vs_emit_status vs_loose_boolean(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)e, (void)ref;
-  return phase == VS_PHASE_ENTER ? VS_WHOLE : VS_EMITTED; /* skips solids; sets of regions arrive as regions */
+  return phase == VS_PHASE_ENTER ? VS_WHOLE : VS_EMITTED; /* skips solids; unions and differences of regions were
+                                                           * replaced by regions before */
 }
 
 size_t vs_loose_triangles(const vs_loose *l) {

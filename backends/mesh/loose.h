@@ -1,5 +1,5 @@
-/* Declares the objects that are not solids, for a format of triangles that can express them: curves as lines, regions
- * and open surfaces as open faces. */
+/* Declares the collection of objects that are not solids, for formats of triangles that can express them: curves as
+ * lines, regions and open surfaces as open faces. */
 #ifndef VS_BACKENDS_MESH_LOOSE_H
 #define VS_BACKENDS_MESH_LOOSE_H
 
@@ -22,15 +22,15 @@ typedef struct {
   size_t point_room, corner_room, run_room;
 } vs_loose;
 
-/* The `begin` and `close` of a back-end whose e->state is a vs_loose. */
+/* The functions `begin` and `close` for a back-end whose e->state is a vs_loose. */
 bool vs_loose_begin(vs_emitter *e);
 void vs_loose_close(vs_emitter *e);
 vs_emit_fn vs_loose_leaf, vs_loose_line, vs_loose_through, vs_loose_boolean;
-size_t vs_loose_triangles(const vs_loose *l); /* returns the number of triangles of all open faces */
-size_t vs_loose_pieces(const vs_loose *l);    /* returns the number of segments of all lines */
+size_t vs_loose_triangles(const vs_loose *l); /* returns the number of triangles in all open faces */
+size_t vs_loose_pieces(const vs_loose *l);    /* returns the number of segments in all lines */
 
-/* VS_LOOSE_SHAPES(more) contains the emit functions of a back-end that writes lines and open faces. more: other traits
- * of the back-end, or 0. The second macro is for a back-end that writes only open faces. */
+/* VS_LOOSE_SHAPES(more) contains the emit functions for a back-end that writes lines and open faces. more: further
+ * traits of the back-end, or 0. The second macro is for a back-end that writes only open faces. */
 #define VS_LOOSE_SHAPES(more)                                                                                          \
   .traits = VS_LOOSE | (more), .close = vs_loose_close,                                                                \
   VS_EMIT_SHAPES(vs_loose_leaf, vs_loose_line, vs_loose_through, vs_loose_boolean)

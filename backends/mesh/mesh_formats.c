@@ -2,7 +2,8 @@
  * drawing's solids, which the kernel computes. PLY, OBJ and OFF also contain open faces; PLY and OBJ also contain lines
  * (loose.h).
  *
- * STL's numbers have 32 bits. Triangles whose corners become equal are omitted, which keeps a closed surface closed. */
+ * STL's numbers have 32 bits. If rounding makes two corners of a triangle equal, the triangle is omitted; a closed
+ * surface remains closed. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -108,7 +109,7 @@ static bool stl_solid(vs_emitter *e, const vs_solid *solid) {
   return vs_put(e->out, head, sizeof head) && mesh_put(e, m->triangle_count, STL_RECORD, stl_records, m);
 }
 
-/* Writes triangles as ASCII STL. The numbers are those of the binary form, so both files contain the same mesh. */
+/* Writes triangles as ASCII STL. The numbers are rounded as in the binary form, so both files contain the same mesh. */
 static char *stl_words(const void *context, size_t begin, size_t end, char *to) {
   const vs_mesh *m = context;
   for (size_t i = begin; i < end; i++) {
@@ -161,7 +162,7 @@ static char *off_faces(const void *context, size_t begin, size_t end, char *to) 
   return to;
 }
 
-/* Writes the faces of solids, then open faces. OFF also allows faces without neighbours. */
+/* Writes the faces of solids, then open faces, which OFF also allows. */
 static bool off_solid(vs_emitter *e, const vs_solid *solid) {
   const vs_mesh *m = &solid->mesh;
   const vs_loose *l = e->state;
@@ -189,15 +190,15 @@ const vs_backend vs_backend_off = {
   VS_LOOSE_FACES("OFF holds faces: curves are omitted")
 };
 
-/* ---- PLY: binary, little-endian, coordinates as doubles; each face has its own colour, because faces of different
- * colours may have a common corner. Many programs read the colours of vertices alone, so that a drawing with materials
- * has them, too: a vertex has the colour of the last of its faces ---- */
+/* ---- PLY: binary, little-endian, coordinates as doubles. Each face has its own colour, because faces of different
+ * colours may have a common corner. Many programs read only the colours of vertices, so a drawing with materials also
+ * has these: a vertex has the colour of the last of its faces ---- */
 
 static uint8_t ply_level(double x) { return (uint8_t)lround(255 * x); }
 
 enum { PLY_CORNER = 28, PLY_FACE = 17 };
 
-/* The vertices, and their colours or NULL. */
+/* The vertices, and their colours, or NULL for `paints`. */
 typedef struct { const vs_vec3 *at; const unsigned char (*paints)[4]; } ply_points;
 
 static char *ply_corners(const void *context, size_t begin, size_t end, char *at) {
@@ -276,7 +277,7 @@ static void ply_paints(const vs_solid *solid, const vs_loose *l, unsigned char (
   }
 }
 
-/* Writes the vertices. coloured: with their colours. */
+/* Writes the vertices. coloured: whether their colours are written, too. */
 static bool ply_vertices(vs_emitter *e, const vs_solid *solid, bool coloured) {
   const vs_loose *l = e->state;
   size_t own = solid->mesh.vertex_count, count = own + l->point_count;
@@ -327,8 +328,8 @@ const vs_backend vs_backend_ply = {
 
 /* ---- OBJ ---- */
 
-/* Writes a material's name as a single word: its number and the plain letters of its name. Therefore no name breaks a
- * line, and no two names are equal. */
+/* Writes a material's name as a single word: its number and the letters and digits of its name. Therefore no name
+ * contains a line break, and no two names are equal. */
 static void obj_material_name(vs_emitter *e, const vs_material *m) {
   if (m == NULL) {
     vs_puts(e->out, "plain");
@@ -371,9 +372,10 @@ static void obj_group(vs_writer *w, const char *layer) {
 typedef struct {
   const char **layers; /* names of the layers; the first is NULL and means that there is no layer */
   size_t layer_count, layer_room;
-  uint32_t *keys, *order;  /* keys[p]: key of part p. order: indices of the triangles, sorted by key */
-  size_t *starts;      /* starts[k]: position in `order` of the first triangle with key k. A key is layer * (materials +
-                        * 1) + material number */
+  uint32_t *keys, *order;  /* keys[p]: key of part p; it combines layer and material. order: indices of the triangles,
+                            * sorted by the key of their part */
+  size_t *starts;      /* starts[k]: position in `order` of the first triangle with key k. A key is layer * (number of
+                        * materials + 1) + material number */
   size_t key_count;
 } obj_groups;
 
@@ -408,7 +410,7 @@ static bool obj_groups_make(vs_emitter *e, const vs_solid *solid, obj_groups *g)
     if (!obj_layer(e, g, solid->parts[i].layer, &layer)) return false;
     g->keys[i] = (uint32_t)(layer * paints + vs_emit_material_number(e, solid->parts[i].material));
   }
-  g->keys[solid->part_count] = 0; /* key of the triangles that have no part */
+  g->keys[solid->part_count] = 0; /* key of the triangles that belong to no part */
   memset(g->starts, 0, (g->key_count + 2) * sizeof *g->starts);
   for (size_t i = 0; i < m->triangle_count; i++) g->starts[g->keys[mesh_part(solid, i)] + 2]++;
   for (size_t i = 2; i < g->key_count + 2; i++) g->starts[i] += g->starts[i - 1];
@@ -455,8 +457,8 @@ static bool obj_faces(vs_emitter *e, const vs_solid *solid, const obj_groups *g)
   return !w->failed;
 }
 
-/* Writes lines and open faces after the solids. Corners count from `base`. Writes `usemtl` and `g` at each change of
- * material and layer. */
+/* Writes lines and open faces after the solids. base: number of vertices written before. Writes `usemtl` and `g` at
+ * each change of material and layer. */
 static bool obj_loose(vs_emitter *e, uint32_t base) {
   const vs_loose *l = e->state;
   vs_writer *w = e->out;

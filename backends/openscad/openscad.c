@@ -54,8 +54,7 @@ static void scad_color(vs_emitter *e, const vs_material *m) {
 
 static bool scad_is_mixed(vs_emitter *e, const vs_node *n) { return vs_emit_is_painted(e, n) && vs_emit_is_bare(e, n); }
 
-/* Begins a statement: writes the indentation, and color() if n is the highest node of a subtree with a single
- * colour. */
+/* Begins a statement: writes the indentation, and color() if n is the top node of a subtree with a single colour. */
 static void scad_open(vs_emitter *e, const vs_node *n) {
   vs_put_spaces(e->out, 2 * (e->depth < 40 ? e->depth : 40));
   bool covered = e->parent != NULL && e->parent->kind != VS_MATERIAL && !vs_emit_is_painted(e, e->parent);
@@ -97,12 +96,12 @@ static vs_emit_status scad_sphere(vs_emitter *e, const vs_ref *ref, vs_phase pha
   return scad_done(e);
 }
 
-/* A solid of revolution, or a solid with a regular polygon as its base. Its axis runs from the centre of the base to
+/* A solid of revolution, or a solid with a regular polygon as its base. Its axis leads from the centre of the base to
  * the centre of the top. */
 typedef struct {
   vs_vec3 base, top;
-  double base_radius, top_radius; /* radii of base and top, or distances from the axis to the corners of a regular
-                                   * polygon */
+  double base_radius, top_radius; /* radii of base and top; for a regular polygon, the distances of its corners from the
+                                   * axis */
   int facets;                     /* number of facets in a full turn */
 } scad_frustum;
 
@@ -167,13 +166,13 @@ static vs_emit_status scad_pyramid(vs_emitter *e, const vs_ref *ref, vs_phase ph
                      &(scad_frustum){ p->base, p->top, p->base_radius, p->top_radius, (int)p->sides });
 }
 
-/* Writes a half-space as a cube that lies on the plane and contains everything that can be cut. */
+/* Writes a half-space as a cube that lies on its plane and contains everything that the half-space can cut. */
 static vs_emit_status scad_half_space(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_half_space *h = VS_AS(half_space, ref->node);
   vs_vec3 n = vs_v3_unit(h->normal), middle = vs_v3_scale(vs_v3_add(e->reach.min, e->reach.max), 0.5);
   double height = vs_v3_dot(n, vs_v3_sub(middle, h->point)), half = vs_bounds_diagonal(&e->reach) * 0.5625;
-  if (height < -half) height = -half; /* the plane does not cut anything that the cube must contain */
+  if (height < -half) height = -half; /* moves a plane outside e->reach to its border */
   if (height > half) height = half;
   vs_affine place = vs_frame_on_axis(vs_v3_sub(middle, vs_v3_scale(n, height)), n);
   /* A face perpendicular to a coordinate axis gets exactly the coordinate of the half-space's point. */
@@ -323,7 +322,7 @@ static void scad_profile(vs_emitter *e, const vs_revolve *r) {
   vs_puts(e->out, r->loop_count > 1 ? "]]);\n" : ");\n");
 }
 
-/* Returns true if only a corner of the profile touches the axis. The revolved solid then touches itself at that point,
+/* Returns true if the profile touches the axis only at a corner. The revolved solid then touches itself at that point,
  * which OpenSCAD refuses in a boolean. */
 static bool scad_pinches(const vs_revolve *r) {
   for (size_t l = 0, first = 0; l < r->loop_count; first += r->sizes[l++])
@@ -372,8 +371,8 @@ static vs_emit_status scad_revolve(vs_emitter *e, const vs_ref *ref, vs_phase ph
 /* ---- operations on horizontal regions, written as OpenSCAD's two-dimensional objects ---- */
 
 
-/* Returns true if root is an operation on regions that lies parallel to XY, even after its placements, and is small
- * enough to be readable. Sets *z to its height. */
+/* Returns true if root is an operation on regions that is parallel to XY, even after its placements, and small enough
+ * to be readable. Sets *z to its height. */
 static bool scad_is_level(vs_emitter *e, const vs_ref *root, double *z) {
   enum { MOST = 2000, DEEPEST = 60 };
   vs_shape_plane plane;
@@ -579,8 +578,8 @@ static vs_emit_status scad_transform(vs_emitter *e, const vs_ref *ref, vs_phase 
   return scad_done(e);
 }
 
-/* Writes nothing for a material or layer: the node's children write the paint (scad_open), and OpenSCAD has no layers.
- * The children have the node's indentation. */
+/* Writes nothing for a material or layer: scad_open writes the colour before the node's children, and OpenSCAD has no
+ * layers. The children have the node's indentation. */
 static vs_emit_status scad_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)ref;
   e->depth += phase == VS_PHASE_ENTER ? SIZE_MAX : 1;
@@ -639,7 +638,7 @@ static vs_emit_status scad_hull(vs_emitter *e, const vs_ref *ref, vs_phase phase
 
 static bool scad_define(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open) {
   if (open && e->state == NULL && scad_is_mixed(e, ref->node)) {
-    e->state = e; /* e->state marks, by not being NULL, that the modifier was written */
+    e->state = e; /* any value other than NULL: the modifier was written */
     vs_puts(e->out, "$paint = [0.86, 0.85, 0.83]; // for objects without a colour\n\n");
   }
   return open ? vs_putf(e->out, "module part%lu() {\n", (unsigned long)id) : vs_puts(e->out, "}\n\n");

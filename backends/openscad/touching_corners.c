@@ -20,7 +20,7 @@
 /* The edge from a corner to the next corner of its face. */
 typedef struct { uint32_t low, high, corner; bool forward; double angle; } side;
 typedef struct {
-  uint32_t place, first, edges; /* first: first corner of the fan; place: number of the fan's point */
+  uint32_t place, first, edges; /* first: first corner of the fan; place: number of the point at which the fan is */
   vs_vec3 towards, out;         /* towards: sum of the directions along the fan's edges, finally a unit vector; out: sum
                                  * of the normals of the fan's faces */
   double narrow;                /* how well the directions of the fan's edges agree: 1 if all are equal, 0 if they point
@@ -70,9 +70,9 @@ static vs_vec3 face_normal(const apart *a, uint32_t face) {
   return vs_v3_unit(sum);
 }
 
-/* Connects the faces around an edge that more than two faces have in common. Seen along the edge, the faces are sorted
- * counter-clockwise. Empty space follows a face that uses the edge forwards; solid follows a face that uses it
- * backwards. */
+/* Connects the faces around an edge that more than two faces have in common. As seen along the edge, the faces are
+ * sorted counter-clockwise. A face that uses the edge forwards is followed by empty space; a face that uses it
+ * backwards is followed by solid. */
 static bool join_many(apart *a, side *s, size_t count) {
   vs_vec3 along = vs_v3_unit(vs_v3_sub(a->points[s->high], a->points[s->low]));
   vs_vec3 x = vs_v3_unit(vs_v3_cross(along, fabs(along.z) < 0.5 ? vs_v3(0, 0, 1) : vs_v3(1, 0, 0))),
@@ -110,10 +110,10 @@ static bool join_all(apart *a) {
 }
 
 /* Lists the fans by point, with the flattest fan of a point first, and returns the number of fans. Sets *touches to
- * true if some point has two fans. A nearly flat fan is moved inwards. */
+ * true if a point has two fans. A nearly flat fan is moved inwards. */
 static size_t list_fans(apart *a, bool *touches) {
   size_t count = 0;
-  for (uint32_t c = 0; c < a->corner_count; c++) { /* a group has the number of its first corner, which is its
+  for (uint32_t c = 0; c < a->corner_count; c++) { /* the number of a set of corners is that of its first corner, the
                                                     * smallest */
     uint32_t first = vs_find(a->group, c);
     if (first == c)
@@ -135,8 +135,8 @@ static size_t list_fans(apart *a, bool *touches) {
   return count;
 }
 
-/* Returns the length of the step by which corners are moved. OpenSCAD merges points closer than 2^-20 units, regardless
- * of the model's size. */
+/* Returns the distance by which fans are moved. OpenSCAD merges points closer than 2^-20 units, regardless of the
+ * model's size. */
 static double apart_step(const apart *a) {
   vs_bounds all = vs_bounds_empty();
   for (size_t i = 0; i < a->point_count; i++) vs_bounds_add(&all, a->points[i]);
@@ -151,7 +151,7 @@ static bool apart_fill(apart *a, vs_apart *out, size_t fan_count) {
   memcpy(out->corners, a->corners, a->corner_count * sizeof *out->corners);
   out->count = a->point_count;
   double step = apart_step(a);
-  uint32_t *point = a->of; /* point[c]: for the first corner c of a fan, the point to which the fan moves */
+  uint32_t *point = a->of; /* point[c]: if c is the first corner of a fan, the new point of the fan */
   for (size_t i = 0; i < a->corner_count; i++) point[i] = UINT32_MAX;
   for (size_t i = 0, end; i < fan_count; i = end) {
     for (end = i + 1; end < fan_count && a->fans[end].place == a->fans[i].place;) end++;

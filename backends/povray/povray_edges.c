@@ -1,8 +1,8 @@
-/* Writes the lines of the look 'technical (a picture with black outlines).
+/* Writes the lines for the style 'technical (a picture with black outlines).
  *
  * The lines are the visible outlines and creases of the drawing in this view. Each visible piece is a cone between two
- * spheres, moved towards the eye by some radii. The lines' width in the picture falls with the distance: from a thick
- * line at the nearest point of the drawing to a thin line at the farthest point. */
+ * spheres, moved towards the eye by three times its radius. The lines' width in the picture decreases with the
+ * distance: from a thick line at the nearest point of the drawing to a thin line at the farthest point. */
 #include "backends/povray/povray_edges.h"
 
 #include <math.h>
@@ -12,7 +12,7 @@
 #include "solids/sight_edges.h"
 #include "solids/solid_meshes.h"
 
-/* The data that are used while the lines are made. */
+/* The data for computing the lines. */
 typedef struct {
   vs_emitter *e;
   vs_look look;
@@ -33,7 +33,7 @@ static void find_depths(edges *d) {
   }
 }
 
-/* Returns the radius of a line at a depth, in model units. */
+/* Returns the radius of a line at this depth (distance along the line of sight), in model units. */
 static double radius_at(const edges *d, double depth) {
   double share = d->far > d->near ? (depth - d->near) / (d->far - d->near) : 0;
   return fmax(d->e->pen.share * depth, d->e->pen.least) * (0.8 - 0.35 * fmax(0, fmin(1, share)));
@@ -77,8 +77,8 @@ static void put_pieces(const edges *d, const vs_sight_edges *found, const vs_sig
                      "diffuse 0 } }\n}\n");
 }
 
-/* Converts the mesh to coordinates of the view. These are left-handed, so the triangles are reversed. Omits triangles
- * that are behind the eye or reach behind it. */
+/* Converts the mesh to coordinates of the view. These are left-handed, so the triangles' corners are reversed. Omits
+ * triangles of which a corner is behind the eye. */
 static bool convert(edges *d, const vs_mesh *m) {
   vs_store *store = d->e->scene->store;
   const double least = 1e-4 * vs_bounds_diagonal(&d->e->bounds);

@@ -35,7 +35,7 @@ static bool write_all(const char *path, const unsigned char *bytes, size_t size)
   return file >= 0 && close(file) != 0 ? false : ok;
 }
 
-/* Writes the bytes into a file of this name in the worker's folder, and writes the file's full name into the scene as a
+/* Writes the bytes into a file with this name in the worker's folder. Writes the file's full name into the scene as a
  * string. */
 static bool put_own_file(vs_emitter *e, const char *name, const unsigned char *bytes, size_t size) {
   size_t room = strlen(e->folder) + strlen(name) + 2;

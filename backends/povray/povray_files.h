@@ -4,8 +4,8 @@
 
 #include "backends/backend.h"
 
-/* Writes the format and the file name of a picture. It is the name of its copy in the worker's folder, or of the
- * picture itself if there is no such folder. The parameter number distinguishes the copies of pictures. */
+/* Writes the format and the file name of a picture. In a worker's folder, it is the name of the picture's copy there;
+ * without such a folder, the name of the picture itself. number: distinguishes the copies of several pictures. */
 bool vs_povray_put_picture(vs_emitter *e, const vs_picture *p, size_t number);
 
 #endif

@@ -19,8 +19,9 @@
 #include "geometry/light/ies.h"
 
 enum { ENTRIES = 254 };
-static const double pi = 3.14159265358979323846, globe = 0.01 /* radius of a globe, and fade_distance, in metres */,
-                    margin = 0.001 /* margin: distance that a pattern's values keep from 0 and 1 */;
+static const double pi = 3.14159265358979323846, globe = 0.01 /* globe: radius of a lamp's globe, and fade_distance of
+                                                               * its light, in metres */,
+                    margin = 0.001 /* margin: distance of a pattern's values from 0 and 1 */;
 
 static void put_number(vs_writer *w, const char *before, double x, const char *after) {
   vs_puts(w, before);
