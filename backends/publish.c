@@ -38,7 +38,7 @@ static int open_nameless(const char *target) {
   return -1;
 }
 
-/* Gives the nameless file a name: the target's name if no file has that name, otherwise p->name. *done: true if the
+/* Gives the nameless file a name: the target's name if no file has it, otherwise p->name. Sets *done to true if the
  * file now has the target's name. */
 static bool give_name(vs_publish *p, bool *done) {
   char from[NUMBER_ROOM];
@@ -46,8 +46,8 @@ static bool give_name(vs_publish *p, bool *done) {
   *done = linkat(AT_FDCWD, from, AT_FDCWD, p->target, AT_SYMLINK_FOLLOW) == 0;
   if (*done || errno != EEXIST) return *done;
   if (linkat(AT_FDCWD, from, AT_FDCWD, p->name, AT_SYMLINK_FOLLOW) == 0) return true;
-  if (errno != EEXIST || unlink(p->name) != 0) return false; /* a file with the name p->name is from a killed process
-                                                              * that had the same process number, so it is removed */
+  if (errno != EEXIST || unlink(p->name) != 0) return false; /* a file with the name p->name was left by a killed
+                                                              * process that had the same process number */
   return linkat(AT_FDCWD, from, AT_FDCWD, p->name, AT_SYMLINK_FOLLOW) == 0;
 }
 #else
@@ -55,8 +55,8 @@ static int open_nameless(const char *target) { return (void)target, -1; }
 static bool give_name(vs_publish *p, bool *done) { return (void)p, *done = false; }
 #endif
 
-/* Returns the end of the chain of symbolic links at path. The export replaces the file there, and the links remain. The
- * file need not exist. The caller frees the text. Returns NULL on failure, with the reason in errno. */
+/* Returns the end of the chain of symbolic links at path. The export replaces the file at the end, and the links
+ * remain. The file need not exist. The caller frees the text. Returns NULL on failure, with the reason in errno. */
 static char *end_of_links(const char *path) {
   enum { LINKS_MOST = 40 };
   char *at = strdup(path);
@@ -77,8 +77,8 @@ static char *end_of_links(const char *path) {
   return NULL;
 }
 
-/* Returns the name NAME.tmp-PID. A name that would be too long is cut, and a hash distinguishes it from other cut
- * names. */
+/* Returns the name NAME.tmp-PID. A name that would be too long is shortened, and a hash distinguishes it from other
+ * shortened names. */
 static char *name_beside(const char *target) {
   enum { NAME_MOST = 255, CUT = 160 };
   const char *slash = strrchr(target, '/'), *base = slash ? slash + 1 : target;
@@ -86,7 +86,7 @@ static char *name_beside(const char *target) {
   if (strlen(base) + NUMBER_ROOM <= NAME_MOST)
     return asprintf(&name, "%s.tmp-%ld", target, (long)getpid()) < 0 ? NULL : name;
   size_t kept = CUT;
-  while (kept > 0 && ((unsigned char)base[kept] & 0xC0) == 0x80) kept--; /* a cut must not split a character of UTF-8 */
+  while (kept > 0 && ((unsigned char)base[kept] & 0xC0) == 0x80) kept--; /* does not divide a character of UTF-8 */
   uint32_t hash = 2166136261u;
   for (const char *c = base; *c; c++) hash = (hash ^ (unsigned char)*c) * 16777619u;
   int length = asprintf(&name, "%.*s-%08" PRIx32 ".tmp-%ld", (int)((size_t)(base - target) + kept), target, hash,
@@ -105,7 +105,7 @@ void vs_publish_clear(const char *folder) {
 
 enum { YOUNG = 10 /* age in seconds up to which a file counts as new, and is not removed */ };
 
-/* Removes the entry of the folder if the process that made it has ended. */
+/* Removes the temporary file `name` in the folder if the process that created it has ended. */
 static void sweep_one(DIR *d, const char *folder, const char *name) {
   char path[4096];
   struct stat is;

@@ -29,8 +29,8 @@ static void put_number(vs_writer *w, const char *before, double x, const char *a
   vs_puts(w, after);
 }
 
-/* The lamp's own axes: its central direction, its first horizontal direction, and a second horizontal direction, a
- * quarter turn further. The quarter turn is anticlockwise as seen from above a hanging lamp. */
+/* The lamp's own axes: its central direction, its first horizontal direction, and a second horizontal direction, which
+ * is rotated from the first by a quarter turn. The rotation is anticlockwise as seen from above a hanging lamp. */
 typedef struct { vs_vec3 down, first, second; } lamp_axes;
 
 static lamp_axes axes_of(const vs_scene_lamp *l) {
@@ -50,7 +50,7 @@ static lamp_axes axes_of(const vs_scene_lamp *l) {
 }
 
 /* The angles at which a globe's maps have entries, ascending. POV-Ray allows at most 256 entries. If the lamp's file
- * has more angles, equal steps replace them. */
+ * has more angles, they are replaced by angles at equal steps. */
 typedef struct { double at[ENTRIES]; uint32_t count; } globe_angles;
 
 static globe_angles verticals_of(const vs_ies *ies) {
@@ -67,8 +67,8 @@ static int ascending(const void *a, const void *b) {
   return (x > y) - (x < y);
 }
 
-/* Returns the horizontal angles of the lamp's file, from 0 to 360 degrees, with those that follow from its symmetry. A
- * single angle means that the lamp shines equally in all horizontal directions. */
+/* Returns the horizontal angles of the lamp's file, from 0 to 360 degrees, including those that follow from its
+ * symmetry. A single angle means that the lamp shines equally in all horizontal directions. */
 static globe_angles horizontals_of(const vs_ies *ies) {
   globe_angles a = { .count = 0 };
   const double *file = ies->at + ies->verticals;
@@ -89,8 +89,8 @@ static globe_angles horizontals_of(const vs_ies *ies) {
   return a;
 }
 
-/* Returns a pattern's value for an angle. The value keeps a margin from 0 and 1, where POV-Ray's patterns wrap
- * around. */
+/* Returns a pattern's value for an angle, from 0 at angle 0 to 1 at `whole`. The value keeps a margin from 0 and 1,
+ * where POV-Ray's patterns wrap around. */
 static double entry_at(double angle, double whole) { return margin + (1 - 2 * margin) * angle / whole; }
 
 static void put_entry(vs_writer *w, double at, double share) {
@@ -98,8 +98,8 @@ static void put_entry(vs_writer *w, double at, double share) {
   put_number(w, "", share, ">]");
 }
 
-/* Writes the pigment along a meridian, by the angle from straight down. Its transparency is the intensity as a fraction
- * of the greatest intensity. */
+/* Writes the pigment along a meridian of the globe, by the angle from straight down. Its transparency is the intensity
+ * in a direction as a fraction of the greatest intensity. */
 static void put_meridian(vs_writer *w, const vs_ies *ies, const globe_angles *verticals, double horizontal) {
   const double *at = verticals->at, last = at[verticals->count - 1];
   vs_puts(w, "function { ");

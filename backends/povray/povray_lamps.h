@@ -4,8 +4,8 @@
 
 #include "backends/backend.h"
 
-/* Writes the scene's lamps. per_candela: number in the scene that means a luminance of 1 cd/m2. Returns false with the
- * error set. */
+/* Writes the scene's lamps. per_candela: value in the scene that represents a luminance of 1 cd/m2. Returns false with
+ * the error set. */
 bool vs_povray_lamps(vs_emitter *e, double per_candela);
 
 #endif

@@ -24,9 +24,9 @@ typedef struct {
   uint32_t *id, *material; /* id[p], material[p]: numbers of the origin and the material of part p; 0: the part has
                             * none */
   uint32_t ground_material;
-  vs_surrounding round; /* objects that shade a point, for ambient occlusion; round.ground: height of the ground, or
-                         * -INFINITY if there is none */
-  double hair;          /* distance above a surface at which a ray begins, so that it does not intersect the facet from
+  vs_surrounding round; /* objects around a point that shade it, for ambient occlusion; round.ground: height of the
+                         * ground, or -INFINITY if there is none */
+  double hair;          /* distance from a surface at which a ray begins, so that it does not intersect the facet from
                          * which it starts */
   vs_exr *x;
   float *at[LAYERS];
@@ -79,20 +79,20 @@ static void look_at(const layers *l, uint32_t column, uint32_t row) {
   put(l, i, normal, color, plain == bare || paint ? vs_povray_diffuse(paint) : earth_diffuse);
   vs_vec3 place = vs_v3_add(vs_v3_add(from, vs_v3_scale(direction, at)), vs_v3_scale(normal, l->hair));
   vs_surrounding round = l->round;
-  if (place.z < round.ground) round.ground = -INFINITY; /* the point is below the ground, as in a cellar, where the
-                                                         * ground must not shade it */
+  if (place.z < round.ground) round.ground = -INFINITY; /* the point is below the ground, as in a cellar; the ground
+                                                         * must not shade it */
   l->at[OPEN][i] = (float)vs_openness(&round, place, normal, (row + (uint32_t)crop[1]) * l->columns + column +
                                       (uint32_t)crop[0]);
 }
 
-/* Computes a row of pixels, as a task of the threads. */
+/* Computes the layers for a row of pixels, as a task of the threads. */
 static bool look_along(vs_kernel *k, void *context, size_t row) {
   const layers *l = context;
   for (uint32_t column = 0; column < l->x->columns; column++) look_at(l, column, (uint32_t)row);
   return vs_kernel_report(k, (double)row / l->x->rows);
 }
 
-/* A text in the header of the EXR picture, for a writer that appends to it. */
+/* Writing of a text into the header of the EXR picture: its kind, and the error if it fails. */
 typedef struct { vs_exr *x; vs_exr_text kind; vs_error *e; } words;
 
 static bool say_more(void *to, const void *bytes, size_t count) {
@@ -121,7 +121,8 @@ static bool begin_list(list *t, vs_exr *x, vs_exr_text kind, size_t most, vs_err
   return true;
 }
 
-/* Returns the number of the origin or material. Sets *fresh if it is new: the caller then writes its line. */
+/* Returns the number of the origin or material. Sets *fresh to true if it gets its number now: the caller then writes
+ * its line of the list. */
 static uint32_t number_of(list *t, const void *what, bool *fresh) {
   entry *n = find_entry(t, what);
   *fresh = !n->what;
@@ -129,7 +130,7 @@ static uint32_t number_of(list *t, const void *what, bool *fresh) {
   return n->number;
 }
 
-/* Writes a name, with line breaks escaped, because they would divide it into two lines. */
+/* Writes a name, with line breaks escaped, because a line break would divide the name's line into two. */
 static void put_name(vs_writer *w, const char *name) {
   vs_put_spelled(w, vs_spell_line, name);
 }
@@ -158,7 +159,8 @@ static bool end_list(list *t) {
   return ok;
 }
 
-/* Numbers the origins and the materials in the order of the parts, and writes the lists of their names. */
+/* Gives numbers to the origins and the materials of the parts, in the parts' order, and writes the lists of their
+ * names. */
 static bool number_parts(layers *l) {
   list places = { .at = NULL }, materials = { .at = NULL };
   size_t count = l->solid.part_count;

@@ -1,10 +1,10 @@
 /* Writes materials as POV-Ray textures: colour, finish, interior, and the patterns of patterns.def at their real size.
  *
  * A pattern either fills space (noise, for patterns without direction) or lies on faces. A pattern on faces is a
- * pigment in the plane of x and z, which is rotated to each face by the face's normal: on floors along x and y, on
- * walls upright. Walls are rounded to eight directions. On walls between these directions, the width of a unit is wrong
- * by at most 8 percent (cos 22.5 degrees). A picture is in the plane of x and y. It is laid on faces by the directions
- * of model/looks/picture.h. */
+ * pigment in the plane of x and z. It is rotated to each face by the face's normal: on floors it is along x and y, on
+ * walls upright. The directions of walls are rounded to eight. On walls between these directions, the width of a unit
+ * is wrong by at most 8 percent (cos 22.5 degrees). A picture is in the plane of x and y. It is placed on faces by the
+ * directions of model/looks/picture.h. */
 #include <math.h>
 
 #include "backends/povray/povray.h"
@@ -129,8 +129,8 @@ static void put_map(vs_writer *w, const stop *stops, size_t count) {
  * numbers the units. */
 typedef struct {
   const char *along, *cell, *length;
-  double height, joint; /* height of a course and width of a joint, as fractions of the unit's width */
-  double vary;          /* how much the units differ in colour; 1 is the difference among bricks */
+  double height, joint; /* height of a course (row of units) and width of a joint, as fractions of a unit's width */
+  double vary;          /* how much the units (bricks or stones) differ in colour; 1 is the difference among bricks */
 } courses;
 
 static const courses courses_of[VS_PATTERN_COUNT] = {
@@ -177,7 +177,7 @@ static void put_courses(vs_emitter *e, const vs_material *m, const courses *c) {
   put_word(w, "#declare VS_J = ", size * c->joint, ";\n");
   put_word(w, "#declare VS_V = ", 0.25 * v, ";\n");
   if (m->pattern.kind ==
-      VS_PATTERN_ENGLISH) { /* in English bond, all bricks of a course have one length, so only the course decides it */
+      VS_PATTERN_ENGLISH) { /* in English bond, all bricks of a course have the same length */
     vs_puts(w, "#declare VS_L = function(x,y,z) { ");
     vs_puts(w, c->length);
     vs_puts(w, " }\n#declare VS_A = function(x,y,z) { ");
@@ -249,9 +249,10 @@ static void put_face_pigment(vs_emitter *e, const vs_material *m) {
 
 /* ---- pictures ---- */
 
-/* VS_Laid rotates the picture P to the faces of a tilt and an azimuth. VS_Side distinguishes the azimuths of a half
- * turn; S is 1 for azimuths to the north and -1 for azimuths to the south. VS_Picture distinguishes the tilts. A slope
- * is given as (1 + cosine) / 2. Each macro distinguishes half the steps of a turn, as in model/looks/picture.c. */
+/* VS_Laid rotates the picture P to the faces of a tilt and an azimuth. VS_Side selects the azimuth within a half
+ * turn; S is 1 for azimuths to the north and -1 for azimuths to the south. VS_Picture selects the tilt. A slope is
+ * given as (1 + cosine) / 2. The limits between the selected directions lie halfway between them, as in
+ * model/looks/picture.c. */
 static const char picture_helpers[] =
     "#ifndef (VS_Step)\n"
     "#declare VS_Step = 22.5;\n"
@@ -273,8 +274,7 @@ static const char picture_helpers[] =
     "  VS_Share(1, .5*VS_Step) P] } #end\n"
     "#end\n";
 
-/* Declares VS_P, a pigment with the picture in the plane of x and y: upright, and repeated over the plane at a single
- * size. */
+/* Declares VS_P, a pigment with the picture in the plane of x and y: upright, and repeated over the plane. */
 static void put_picture_pigment(vs_emitter *e, const vs_material *m) {
   vs_writer *w = e->out;
   vs_puts(w, picture_helpers);
@@ -312,7 +312,7 @@ static void put_solid_pigment(vs_emitter *e, const vs_material *m) {
     vs_puts(w, "crackle");
     PUT_MAP(w, { 0, b }, { 0.1, b }, { 0.2, between(b, a, 0.8) }, { 0.45, a }, { 1, times(a, 1.15) });
     break;
-  case VS_PATTERN_GRASSY: /* a lawn consists of blades, tufts and patches, each with a share of the colour */
+  case VS_PATTERN_GRASSY: /* a lawn's colour is a sum of three noises, for blades, tufts and patches */
     vs_puts(w, "average pigment_map {");
     for (int i = 0; i < 3; i++) {
       const double scale[] = { 1, 14, 110 }, share[] = { 1, 0.8, 1.2 };
@@ -347,7 +347,7 @@ bool vs_povray_is_white(const vs_scene *s) {
   return s->style == VS_STYLE_ARCTIC || s->style == VS_STYLE_TECHNICAL;
 }
 
-/* Returns the material that the scene's look shows in place of m: in some looks white, or cardboard. Glass stays
+/* Returns the material that the scene's style shows in place of m: in some styles white, or cardboard. Glass remains
  * glass. */
 static const vs_material *shown(const vs_emitter *e, const vs_material *m) {
   static const vs_material white = { "", .93, .93, .93, 1, 0, 0, 1.5, { 0 } };

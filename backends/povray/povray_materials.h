@@ -18,7 +18,7 @@ void vs_povray_interior(vs_emitter *e, const vs_material *m);
 /* Writes the letters, digits and underscores of a user's name, and omits all other characters. */
 void vs_povray_name(vs_writer *w, const char *text);
 
-/* Returns true if the look of the scene shows all opaque materials in white. */
+/* Returns true if the scene's style shows all opaque materials in white. */
 bool vs_povray_is_white(const vs_scene *scene);
 
 #endif

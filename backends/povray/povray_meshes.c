@@ -3,6 +3,7 @@
  * POV-Ray intersects a ray with each operand of a difference or an intersection. For each point where the ray enters or
  * leaves an operand, it tests whether the point lies in all other operands. A wall with many openings, or a hall under
  * vaults, therefore takes most of a picture's time. A mesh is faster, because POV-Ray builds a tree of boxes for it.
+ *
  * For pictures, the kernel therefore combines such a solid to a mesh. For a .pov, which people read and change, it does
  * not. The mesh is as fine as the picture shows, with smooth shading if its parts are round. vs_povray_solid chooses
  * the solids. It does not choose glass, which refracts light; patterns that were moved with their parts; text of the
@@ -25,8 +26,8 @@ static bool pov_needle(const vs_vec3 *v, const uint32_t t[3]) {
   return !(vs_v3_length(vs_v3_cross(a, b)) > 1e-12 * longest * longest);
 }
 
-/* Writes a triple of indices for each triangle of `of` except needles (triangles without area), ten triples on a line.
- * `kept` is the number of written triangles. Needles show nothing, and POV-Ray warns about them. */
+/* Writes three indices for each triangle of `of` except needles (triangles without area), ten triangles on a line.
+ * `kept`: number of triangles that are not needles. Needles are invisible, and POV-Ray warns about them. */
 static void pov_triples(vs_emitter *e, const char *word, const vs_shade_faces *of, const uint32_t (*triples)[3],
                         size_t kept) {
   pov_open(e, word);
@@ -61,7 +62,7 @@ static void pov_points(vs_emitter *e, const char *word, const vs_vec3 *at, size_
 }
 
 /* POV-Ray stores the corners of meshes in single precision. If a mesh is far from the origin compared with its size,
- * returns its first corner: the other corners are then written relative to it. Otherwise returns 0 0 0. */
+ * returns its first corner: all corners are then written relative to it. Otherwise returns 0 0 0. */
 static vs_vec3 pov_far(const vs_vec3 *v, size_t count) {
   vs_bounds b = vs_bounds_empty();
   for (size_t i = 0; i < count; i++) vs_bounds_add(&b, v[i]);
@@ -69,7 +70,7 @@ static vs_vec3 pov_far(const vs_vec3 *v, size_t count) {
   return count > 0 && vs_v3_length(middle) > 100 * vs_bounds_diagonal(&b) ? v[0] : vs_v3(0, 0, 0);
 }
 
-/* Triangles to write, and their material and shading. */
+/* Triangles to write, with their material and shading. */
 typedef struct {
   vs_shade_faces faces;     /* the faces; if groups is NULL, all faces are flat, unless the emitter shades smoothly */
   bool closed;
@@ -80,7 +81,7 @@ static vs_emit_status pov_mesh(vs_emitter *e, const pov_triangles *m) {
   const vs_shade_faces *f = &m->faces;
   size_t kept = 0;
   for (size_t i = 0; i < f->triangle_count; i++) kept += !pov_needle(f->vertices, f->triangles[i]);
-  if (kept == 0) return VS_EMITTED; /* there is no visible triangle, so no mesh is written */
+  if (kept == 0) return VS_EMITTED; /* no triangle is visible, so no mesh is written */
   if (!vs_emit_triangles(e, kept)) return VS_FAILED;
   vs_shading s = { .normal_count = 0 };
   bool smooth = f->groups != NULL || e->smooth;
@@ -92,7 +93,8 @@ static vs_emit_status pov_mesh(vs_emitter *e, const pov_triangles *m) {
   if (smooth) pov_points(e, "normal_vectors { ", s.normals, s.normal_count, vs_v3(0, 0, 0), 1);
   pov_triples(e, "face_indices { ", f, f->triangles, kept);
   if (smooth) pov_triples(e, "normal_indices { ", f, (const uint32_t (*)[3])s.corners, kept);
-  if (m->closed) /* writes a slanted direction as inside_vector, because such a line very rarely runs along an edge */
+  if (m->closed) /* the inside_vector is a slanted direction, because a line in this direction very rarely runs along an
+                  * edge */
     pov_open(e, "inside_vector <0.2317, 0.4951, 0.8372>\n");
   if (!vs_v3_equal(from, vs_v3(0, 0, 0))) {
     pov_open(e, "translate ");
@@ -133,7 +135,8 @@ vs_emit_status vs_povray_polyface(vs_emitter *e, const vs_ref *ref, vs_phase pha
 
 /* ---- solids as triangles ---- */
 
-/* A step of the count of a solid's parts, which decides whether the solid becomes a mesh. */
+/* A node that must still be counted as a part of a solid. moved: whether a placement is around it. The number of parts
+ * determines whether the solid becomes a mesh. */
 typedef struct { const vs_node *node; bool moved; } pov_step;
 typedef struct {
   pov_step *wait;
@@ -149,7 +152,7 @@ static bool pov_paint_stays(const vs_material *m, bool moved) {
   return m->transparency == 0 && (!moved || m->pattern.kind == VS_PATTERN_NONE);
 }
 
-/* Examines a node of a solid and queues its operands. Returns false if the node cannot be part of a mesh, or if memory
+/* Counts a node of a solid, and queues its operands. Returns false if the node cannot be part of a mesh, or if memory
  * is out, with e's error set. */
 static bool pov_census_node(vs_emitter *e, pov_census *c, pov_step s) {
   const vs_node *n = s.node;
@@ -164,7 +167,7 @@ static bool pov_census_node(vs_emitter *e, pov_census *c, pov_step s) {
   return true;
 }
 
-/* Returns true if POV-Ray would need long for the solid n, so that a mesh is faster, and if both give the same
+/* Returns true if POV-Ray would need long for the solid n, so that a mesh is faster, and if the mesh gives the same
  * picture. */
 static bool pov_is_dear(vs_emitter *e, const vs_node *n) {
   pov_census c = { .count = 0 };
@@ -176,8 +179,8 @@ static bool pov_is_dear(vs_emitter *e, const vs_node *n) {
   return fits && c.parts >= PARTS_LEAST;
 }
 
-/* Lets the kernel combine the solid. Drops the kernel's warnings, which concern files of triangles. On an error except
- * an interrupt, sets *fits to false: POV-Ray must then combine the solid itself. */
+/* Lets the kernel combine the solid. Ignores the kernel's warnings, which concern files of triangles. On an error
+ * except an interrupt, sets *fits to false: POV-Ray must then combine the solid itself. */
 static bool pov_combine(vs_emitter *e, const vs_ref *ref, vs_solid *out, bool *fits) {
   vs_error why = { VS_ERROR_NONE, NULL, "" }, *was = e->error;
   e->error = &why;
@@ -194,7 +197,7 @@ static bool pov_combine(vs_emitter *e, const vs_ref *ref, vs_solid *out, bool *f
 typedef struct {
   vs_vec3 *v;
   uint32_t (*t)[3];
-  uint32_t *groups, *places; /* places[i]: new number of corner i of the solid's mesh, plus one; 0: none yet */
+  uint32_t *groups, *places; /* places[i]: 1 + new number of corner i of the solid's mesh, or 0 */
   size_t vertices, triangles, vertex_room, triangle_room;
 } pov_piece;
 
@@ -265,8 +268,8 @@ static bool pov_paint_met(const vs_solid *s, size_t part) {
   return false;
 }
 
-/* Returns true if the part is the first part of the solid with its paint, and some triangle of this paint is visible.
- * All triangles of a paint may be inside other parts. */
+/* Returns true if the part is the solid's first part with its paint (material), and a triangle of this paint is
+ * visible. All triangles of a paint may be inside other parts. */
 static bool pov_paint_shows(const vs_solid *s, size_t part) {
   if (pov_paint_met(s, part)) return false;
   for (size_t i = 0; i < s->mesh.triangle_count; i++)
@@ -275,15 +278,15 @@ static bool pov_paint_shows(const vs_solid *s, size_t part) {
   return false;
 }
 
-/* Returns the number of meshes that show the solid, one for each visible paint. */
+/* Returns the number of meshes that represent the solid, one for each visible paint (material). */
 static size_t pov_paints(const vs_solid *s) {
   size_t paints = 0;
   for (size_t i = 0; i < s->part_count; i++) paints += pov_paint_shows(s, i);
   return paints;
 }
 
-/* Writes the meshes of a solid, one for each paint. Several meshes are written as a union; POV-Ray warns about a union
- * of a single object. */
+/* Writes the solid as one mesh for each paint (material). Several meshes are written as a union; POV-Ray warns about a
+ * union of a single object. */
 static vs_emit_status pov_pieces(vs_emitter *e, const vs_solid *s, size_t paints) {
   pov_piece p = { .vertex_room = 2 * s->mesh.vertex_count, .triangle_room = 2 * s->mesh.triangle_count };
   size_t room[4] = { 0 };

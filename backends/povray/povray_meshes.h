@@ -4,7 +4,7 @@
 
 #include "backends/povray/povray.h"
 
-/* Writes a difference or an intersection in a picture as triangles, if POV-Ray would take long to combine it, and
+/* If POV-Ray would take long to combine a difference or an intersection in a picture, writes it as triangles and
  * returns VS_WHOLE. Otherwise writes nothing and returns VS_LOWER. */
 vs_emit_status vs_povray_solid(vs_emitter *e, const vs_ref *ref);
 

@@ -1,9 +1,9 @@
-/* Processes POV-Ray's picture: joins its parts, and writes them as .exr or .png.
+/* Processes POV-Ray's picture: joins its parts, and writes the whole as .exr or .png.
  *
  * POV-Ray always renders an EXR of linear light in half floats. The header of this file contains the date, POV-Ray's
  * version and the platform. OpenEXR's library therefore writes a new .exr: the same numbers, with texts for the camera
- * and the sun. geometry/pictures/tone.c makes a PNG from the light, because POV-Ray would cut off colours brighter than
- * white. */
+ * and the sun. geometry/pictures/tone.c computes a PNG from the light, because POV-Ray would cut off colours brighter
+ * than white. */
 #include "backends/povray/povray_picture.h"
 
 #include <errno.h>
@@ -58,16 +58,16 @@ static bool picture_write(vs_emitter *e, const char *path, const picture_bytes *
                             problem == ENOSPC ? "the disk is full" : strerror(problem));
 }
 
-/* Divides the light of the picture by the gain: the factor by which POV-Ray's lights were multiplied. */
+/* Divides the light of the picture by the gain, the factor by which the scene's lights were multiplied. */
 static void picture_remove_gain(vs_exr *x, double gain) {
   float share = (float)(1 / gain);
   for (size_t k = 0; share < 1 && k < x->count; k++)
     for (size_t i = 0; i < (size_t)x->columns * x->rows; i++) x->channels[k].at[i] *= share;
 }
 
-/* Copies the jobs' parts of the picture into an empty picture of the size `wanted`. For a part of a picture, POV-Ray
- * makes a picture of full size that is black outside the part. Pictures of the night become floats, because half floats
- * have few digits there. */
+/* Copies the parts of the picture that the jobs have rendered into an empty picture of the size `wanted`. For a part,
+ * POV-Ray renders a picture of full size that is black outside the part. Pictures of the night become floats, because
+ * half floats have few digits for dark colours. */
 static bool picture_join(vs_emitter *e, const char *folder, const vs_povray_job *jobs, size_t count,
                          const vs_exr_part *wanted, vs_exr *x) {
   static const char *const channels[] = { "B", "G", "R" };
@@ -96,8 +96,8 @@ static bool picture_join(vs_emitter *e, const char *folder, const vs_povray_job 
   return ok;
 }
 
-/* Joins the pictures that the plan's jobs have made, except the first pass, in *x. *x becomes the entire picture, or
- * the part that the options select. */
+/* Joins the pictures of the plan's jobs, except those of the first pass, in *x. *x becomes the part of the picture that
+ * `part` selects. */
 static bool picture_take(vs_emitter *e, const vs_povray_result *r, const vs_exr_part *part, vs_exr *x) {
   const vs_povray_plan *p = r->plan;
   return picture_join(e, r->folder, p->jobs + p->pass_count, p->count - p->pass_count, part, x);
@@ -137,7 +137,7 @@ bool vs_povray_develop_picture(vs_emitter *e, const vs_povray_result *r, const c
   const vs_povray_plan *p = r->plan;
   const vs_exr_part *wanted = &p->wanted;
   vs_exr x = { .store = store };
-  /* An exposure that is computed from the picture depends on the entire picture, so all of it is joined. */
+  /* An exposure that is computed from the picture depends on the entire picture, so all parts are joined. */
   vs_exr_part all = { 0, 0, p->columns, p->rows };
   vs_tone tone = *r->tone;
   tone.dither = true, tone.left = wanted->left, tone.top = wanted->top;

@@ -47,9 +47,9 @@ static void plan_passes(vs_povray_plan *p, vs_render_quality quality) {
   }
 }
 
-/* Returns the number of strips, which is even, because many machines have two processors. Every run of POV-Ray reads
- * the whole scene, and reading four triangles takes about as long as drawing a pixel. Reading may take at most a
- * quarter of the time for drawing. */
+/* Returns the number of strips. It is even, because many machines have two processors. Every run of POV-Ray reads the
+ * whole scene, and reading four triangles takes about as long as drawing a pixel. Reading may take at most a quarter of
+ * the time for drawing. */
 static uint32_t strips_of(const vs_povray_plan *p, uint64_t triangles) {
   uint32_t most = between(p->columns >= 2 * STRIP ? 2 : 1, p->rows / STRIP, VS_POVRAY_STRIPS);
   uint64_t count = 1 + (uint64_t)p->columns * p->rows / (triangles + 1);
@@ -58,8 +58,8 @@ static uint32_t strips_of(const vs_povray_plan *p, uint64_t triangles) {
   return count > 2 ? (uint32_t)count / 2 * 2 : (uint32_t)count;
 }
 
-/* Plans the strips that the wanted part of the picture intersects. Two strips lie side by side, not one above the
- * other, because the sky takes less time than the ground. */
+/* Plans the strips that the selected part of the picture intersects. Two strips are the left and the right half of the
+ * picture, because the sky takes less time than the ground. More strips are one above the other. */
 static void plan_strips(vs_povray_plan *p, uint64_t triangles) {
   uint32_t count = strips_of(p, triangles), side = count == 2 ? p->columns : p->rows;
   uint32_t begin = count == 2 ? p->wanted.left : p->wanted.top;
@@ -107,8 +107,8 @@ static double picture_bytes(const vs_povray_job *job) { return 20. * job->column
 double vs_povray_megabytes(const vs_povray_job *job) { return ceil(picture_bytes(job) / 1e6); }
 bool vs_povray_fits(const vs_povray_job *job) { return picture_bytes(job) <= machine_memory() / 4; }
 
-/* Returns the number of runs of POV-Ray that work at a time. Each run needs about twenty times the size of the scene's
- * text as memory, and memory for the picture. */
+/* Returns the number of runs of POV-Ray that may work at a time. Each run needs about twenty times the size of the
+ * scene's text as memory, and memory for the picture. */
 size_t vs_povray_at_once(const vs_export_options *o, const vs_povray_job *job, uint64_t scene) {
   double each = 0x1p26 + 20. * (double)scene + (vs_povray_fits(job) ? picture_bytes(job) : 0);
   double room = machine_memory() / 2 / each;

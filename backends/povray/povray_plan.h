@@ -11,32 +11,33 @@ enum { VS_POVRAY_STRIPS = 32 /* most strips of a picture */, VS_POVRAY_PASSES = 
 /* How a run treats samples of bounced light: it ignores them, keeps them in a file, or reads them from a file. */
 typedef enum { VS_SAMPLES_OWN, VS_SAMPLES_KEPT, VS_SAMPLES_GIVEN } vs_povray_samples;
 
-/* A job: a run of POV-Ray that makes a part of a picture. */
+/* A job: one run (process) of POV-Ray, which renders a part of a picture. */
 typedef struct {
   uint32_t columns, rows;
   vs_exr_part part;
   vs_povray_samples samples;
-  bool smooth;      /* true if pixels at edges have several rays */
+  bool smooth;      /* whether pixels at edges are computed from several rays */
   uint32_t threads;
-  char name[16];    /* name of the run's files, without a suffix */
+  char name[16];    /* name of the job's files, without a suffix */
 } vs_povray_job;
 
 typedef struct {
   uint32_t columns, rows; /* size of the entire picture in pixels */
-  vs_exr_part wanted;     /* part of the picture to make */
-  bool bounced;           /* true if the picture has bounced light */
-  bool metered;           /* true if the exposure is computed from the picture, not set by the user */
-  size_t pass_count, count; /* number of jobs; the first pass_count of them are the first pass */
+  vs_exr_part wanted;     /* the part of the picture that the job renders */
+  bool bounced;           /* whether the picture has bounced light (radiosity) */
+  bool metered;           /* whether the exposure is computed from the picture, not set by the user */
+  size_t pass_count, count; /* count: number of jobs; pass_count: number of jobs of the first pass, which precede the
+                             * others */
   vs_povray_job jobs[VS_POVRAY_PASSES + VS_POVRAY_STRIPS];
 } vs_povray_plan;
 
-/* Returns the plan of a picture. triangles: number of triangles in its scene. metered: true if its exposure is computed
- * from the picture. alone: true if a single run of POV-Ray makes the entire picture. */
+/* Returns the plan of a picture. triangles: number of triangles in its scene. metered: whether its exposure is computed
+ * from the picture. alone: whether a single run of POV-Ray renders the entire picture. */
 vs_povray_plan vs_povray_plan_of(const vs_export_options *o, uint64_t triangles, bool metered, bool alone);
 /* Returns how many of the jobs may run at a time: as many as there are processors, or fewer if that many would need
  * more than half of the machine's memory. scene: size of the scene's text in bytes. */
 size_t vs_povray_at_once(const vs_export_options *o, const vs_povray_job *job, uint64_t scene);
-/* Returns the size, in megabytes, of the picture that a job computes. */
+/* Returns the size in megabytes of the picture that POV-Ray keeps for a job. */
 double vs_povray_megabytes(const vs_povray_job *job);
 /* Returns true if the job's picture fits into memory: it needs at most a quarter of the machine's memory. Otherwise
  * POV-Ray keeps the picture in a file. */

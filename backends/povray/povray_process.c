@@ -5,9 +5,9 @@
  *   File '/tmp/.../scene.pov' line 12: Parse Error: ...
  * They are wrapped at 80 columns, with one space before each continuation. POV-Ray exits with 0 after warnings that
  * mean a wrong picture. Any warning that povray_warnings.def does not list is therefore a fault of the picture: vs
- * keeps the picture, reports the warning and fails. A table of the driver maps the line of a message to the place in
- * the user's model. POV-Ray and the processes that it starts form a process group. On Linux the group ends when vs is
- * killed. */
+ * keeps the picture, reports the warning and fails. A table of the driver maps the line number in a message to the
+ * place in the user's model. POV-Ray and the processes that it starts form a process group. On Linux the group ends
+ * when vs is killed. */
 #define _GNU_SOURCE /* declares prlimit, execvpe, pipe2 */
 #include "backends/povray/povray_process.h"
 
@@ -50,8 +50,7 @@ static void run_hear(vs_povray_process *r, const char *bytes, size_t count) {
       if (r->piece_used + 1 < sizeof r->piece) r->piece[r->piece_used++] = c;
       continue;
     }
-    if (r->used + 1 >= sizeof r->text) { /* if the text is too long, its beginning is dropped, because errors come
-                                          * last */
+    if (r->used + 1 >= sizeof r->text) { /* if the text is too long, drops its beginning, because errors come last */
       memmove(r->text, r->text + sizeof r->text / 2, r->used - sizeof r->text / 2);
       r->used -= sizeof r->text / 2;
     }
@@ -72,7 +71,7 @@ static void run_unwrap(char *text) {
  * warning. */
 typedef struct { const char *text; int length; unsigned long line; bool warning; } run_message;
 
-/* Reads the next message of the text after *at, and moves *at behind the message. Returns false if there is no further
+/* Reads the next message from *at on, and moves *at to the end of the message. Returns false if there is no further
  * message. */
 static bool run_next(const char **at, run_message *m) {
   for (const char *from = *at; (from = strstr(from, "File '")) != NULL; from++) {
@@ -105,7 +104,8 @@ static bool run_is_harmless(const run_message *m) {
   return false;
 }
 
-/* Finds the first error, or with `warning` the first warning that is not harmless. Returns false if there is none. */
+/* Finds the first error or, if `warning` is true, the first warning that is not harmless. Returns false if there is
+ * none. */
 static bool run_complaint(const char *text, bool warning, run_message *m) {
   while (run_next(&text, m))
     if (m->warning == warning && !run_is_harmless(m)) return true;
@@ -134,8 +134,8 @@ static void run_give_memory(pid_t process) {
 #endif
 }
 
-/* Runs in the child process: sets input and permissions and replaces the child by POV-Ray (exec). Uses only calls that
- * are safe in a child of a process with threads. */
+/* Runs in the child process: sets input and permissions, then replaces the child by POV-Ray (exec). Uses only calls
+ * that are safe in a child of a process with threads. */
 static void run_become(const char *folder, const int errors[2], char *const *arguments, char *const *environment) {
   static const int usual[] = { SIGINT, SIGPIPE, SIGTERM, SIGHUP };
   sigset_t none;
@@ -219,7 +219,7 @@ void vs_povray_hear(vs_povray_process *r) {
 bool vs_povray_ended(vs_povray_process *r, int *status) {
   siginfo_t how = { .si_pid = 0 };
   if (waitid(P_PID, (id_t)r->process, &how, WEXITED | WNOHANG | WNOWAIT) == 0 && how.si_pid == 0) return false;
-  kill(-r->process, SIGKILL); /* The number of the process group cannot be reused before waitpid, so this ends only
+  kill(-r->process, SIGKILL); /* The process group's number cannot be reused before waitpid, so the signal reaches only
                                * processes of POV-Ray. */
   while (waitpid(r->process, status, 0) < 0 && errno == EINTR) continue;
   r->process = 0;
@@ -245,15 +245,15 @@ void vs_povray_stop(vs_povray_process *at, size_t count) {
 
 /* ---- the result of POV-Ray ---- */
 
-/* Sets the error of a run that ended because it had no memory or disk space for its picture. POV-Ray calls this an
- * unknown error. */
+/* If a run ended because it had no memory or disk space for its picture, sets this error and returns true. POV-Ray
+ * itself reports an unknown error. */
 static bool run_has_no_room(vs_emitter *e, const vs_povray_process *r) {
   return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray has no room for the picture: it needs %.0f MB %s%s",
                       r->room.megabytes, r->room.folder ? "on the disk in " : "of memory",
                       r->room.folder ? r->room.folder : "");
 }
 
-/* Records a warning of a run that made its picture. Only the first warning of all runs is kept. */
+/* Records a warning of a run that has rendered its picture. Only the first warning of all runs is kept. */
 static void run_note_flaw(vs_emitter *e, const run_message *m) {
   if (e->flaw.kind != VS_ERROR_NONE) return;
   vs_error_set(&e->flaw, VS_ERROR_WORKER, vs_emit_line_origin(e, (uint32_t)m->line),

@@ -35,13 +35,13 @@ static void pov_word(vs_writer *w, const char *before, double x, const char *aft
 
 /* ---- the strength of the light ---- */
 
-/* Returns true if vs makes the final picture from POV-Ray's light, with a tone curve. The light is then as outdoors,
- * where the sun is several times as bright as the sky. If POV-Ray itself makes the picture of a .pov, it cuts off
- * colours brighter than white. In a .pov, sun and sky together therefore make a white wall slightly darker than white.
+/* Returns true if vs converts POV-Ray's light to the final picture, with a tone curve. The light is then as outdoors,
+ * where the sun is several times as bright as the sky. In a .pov, from which POV-Ray itself makes the picture, colours
+ * brighter than white are cut off. There, sun and sky together therefore make a white wall slightly darker than white.
  * If the sky is a picture, it has its own brightness, and the sun follows it. */
 static bool pov_is_developed(const vs_emitter *e) { return e->backend->render != NULL; }
-/* Returns the strength of the light at dusk, as a fraction of the day's light times the gain. A sky that is a picture
- * has its own light. */
+/* Returns the strength of the light at dusk, as a fraction of the light by day, multiplied by the gain
+ * (vs_povray_gain). A sky that is a picture has its own light. */
 static double pov_dusk(const vs_emitter *e) {
   const vs_scene *s = e->scene;
   return s->has_sun && s->sky_image == NULL ? vs_sky_light_twilight(s->sun_altitude) * vs_povray_gain(s) : 1;
@@ -53,8 +53,8 @@ static double pov_sky_strength(const vs_emitter *e) {
  * scatter. */
 static double pov_fill_strength(const vs_emitter *e) { return pov_is_developed(e) ? 2.1 : 1; }
 static double pov_sun_strength(const vs_emitter *e) { return pov_is_developed(e) ? 2 * pov_sky_strength(e) : 1.25; }
-/* Returns true if the sky has physical luminances. In a .pov, the light of such a sky is reduced by the factor by which
- * the sun is reduced. */
+/* Returns true if the sky has physical luminances. In a .pov, the light of such a sky is reduced by the same factor as
+ * the sun. */
 static bool pov_is_physical(const vs_emitter *e) { return e->scene->sky_kind != VS_SKY_PLAIN; }
 static double pov_strength(const vs_emitter *e) {
   return vs_povray_gain(e->scene) * (pov_is_developed(e) ? 1 : 1.25 / 3.2);
@@ -69,8 +69,8 @@ static bool pov_is_sunless(const vs_emitter *e, const vs_look *l) {
   return s->no_sun || s->style == VS_STYLE_ARCTIC || s->style == VS_STYLE_TECHNICAL ||
          (s->has_sun && s->sun_altitude <= 0);
 }
-/* Returns the light that a draft adds to all surfaces in any direction, so that none is black. Returns 0 for pictures
- * with bounced light. */
+/* Returns the brightness that a draft adds to all surfaces, regardless of their direction, so that none is black.
+ * Returns 0 for pictures with bounced light. */
 double vs_povray_ambient(const vs_emitter *e) {
   return e->options->quality == VS_RENDER_DRAFT ? 0.05 * pov_fill_strength(e) : 0;
 }
@@ -113,14 +113,14 @@ static void pov_camera(vs_emitter *e, const vs_look *l, int width, int height) {
     vs_puts(w, "  spherical\n");
     pov_vector(w, "  location ", l->eye);
     pov_vector(w, "\n  direction ", l->forward);
-    /* POV-Ray rotates a panorama's rays around these two vectors, in left-handed coordinates */
+    /* POV-Ray rotates a panorama's rays around `right` and `up`, in left-handed coordinates. */
     pov_vector(w, "\n  right ", vs_v3_scale(l->right, -1));
     pov_vector(w, "\n  up ", vs_v3_scale(l->up, -1));
     pov_word(w, "\n  angle 360 ", vs_look_height(columns, rows) * (180 / pi), "\n}\n");
     return;
   }
-  if (l->upright) { /* In an upright view, the picture plane is vertical, with the target in the picture's centre.
-                     * Therefore the direction of view is not perpendicular to `right` and `up`. */
+  if (l->upright) { /* in an upright view, the picture plane is vertical, so `right` and `up` are not perpendicular to
+                     * the line of sight */
     vs_vec3 level = vs_v3_unit(vs_v3(l->forward.x, l->forward.y, 0));
     double wide = 2 * tan(l->angle / 2);
     pov_vector(w, "  location ", l->eye);
@@ -141,7 +141,8 @@ static void pov_camera(vs_emitter *e, const vs_look *l, int width, int height) {
   vs_puts(w, "}\n");
 }
 
-/* The sun as seen from the scene: the direction towards it, the middle of the drawing, and the sun's distance. */
+/* The place of the sun in the scene: the direction towards it, the middle of the drawing, and the sun's distance from
+ * there. */
 typedef struct { vs_vec3 sun, middle; double far; } pov_sun_place;
 
 /* Writes the light of the sun or the moon. */
@@ -161,7 +162,7 @@ static void pov_direct_light(vs_emitter *e, const vs_look *l, const pov_sun_plac
   }
   vs_puts(w, "\n  parallel\n");
   pov_vector(w, "  point_at ", p->middle);
-  /* a soft edge of shadows; computing it takes several times as long as all other work */
+  /* area_light gives shadows a soft edge; computing it takes several times as long as all other work */
   if (e->options->quality == VS_RENDER_FINAL || e->scene->style == VS_STYLE_MODEL) {
     /* The keyword `orient` rotates the area of the light towards the lit point, so only the lengths of its two vectors
      * matter. POV-Ray requires equal lengths to 1e-10, which rotated vectors written with twelve digits do not have.
@@ -178,7 +179,8 @@ static void pov_direct_light(vs_emitter *e, const vs_look *l, const pov_sun_plac
 static void pov_fill_lights(vs_emitter *e, const vs_look *l, const pov_sun_place *p) {
   vs_writer *w = e->out;
   double fill = pov_fill_strength(e);
-  /* 0.75 is the plain sky's light on a horizontal surface; `fill` changes in proportion to this light */
+  /* 0.75 is the light of the plain sky on a horizontal surface; `fill` is scaled in proportion to the light of this
+   * sky */
   if (pov_is_physical(e)) fill *= pov_daylight(e, l).fill / 0.75;
   else fill *= pov_dusk(e);
   pov_vector(w, "light_source { ", vs_v3_add(p->middle, vs_v3(-p->sun.x * p->far, -p->sun.y * p->far,
@@ -212,8 +214,8 @@ static void pov_sky_image(vs_emitter *e) {
   vs_puts(w, " map_type 1 interpolate 2 } rotate x*90 rotate -z*90 }\n}\n");
 }
 
-/* Returns true for a plain model: the program set neither ground, sky, lamps nor fog. `vs` then adds a pale ground at
- * the model's lowest point, unless the eye is below it, where the ground would hide the model. */
+/* Returns true for a plain model, for which the program has set no ground, sky, lamps or fog. vs then adds a pale
+ * ground at the model's lowest point, unless the eye is below it, where the ground would hide the model. */
 static bool pov_is_studio(const vs_emitter *e, const vs_look *l) {
   const vs_scene *s = e->scene;
   bool above = l->parallel ? l->forward.z < -0.01 : l->eye.z > e->bounds.min.z * e->unit;
@@ -237,7 +239,7 @@ static pov_air pov_air_of(const vs_emitter *e, const vs_look *l) {
   return a;
 }
 
-/* Returns the linear light of a screen's colour c, multiplied by the strength. In a scene, the keyword srgb converts a
+/* Returns the linear light of the sRGB colour c, multiplied by the strength. In a scene, the keyword srgb converts a
  * colour in the same way (IEC 61966-2-1). */
 static vs_vec3 pov_light_of(vs_vec3 c, double strength) {
   double x[] = { c.x, c.y, c.z };
@@ -245,8 +247,8 @@ static vs_vec3 pov_light_of(vs_vec3 c, double strength) {
   return vs_v3(x[0], x[1], x[2]);
 }
 
-/* Returns the brightness of the floor that is visible below the horizon. Two thirds of its light come from the sun. The
- * rest comes from the sky, in proportion to the luminance of a sky that the program coloured. */
+/* Returns the brightness of the floor that the sky sphere shows below the horizon. Two thirds of its light come from
+ * the sun. The rest comes from the sky, in proportion to the luminance of a sky that the program coloured. */
 static double pov_floor(const vs_emitter *e, const pov_air *air, bool sunless) {
   double full = pov_is_developed(e) ? 2.8 : 1, sky = 1;
   if (e->scene->has_sky) {
@@ -355,14 +357,14 @@ static void pov_fog(vs_emitter *e, const vs_look *l) {
   vs_puts(w, "\n}\n");
 }
 
-/* Writes the ground as an infinite plane, with haze far away. Under a picture of the sky, which has its own horizon,
- * there is no haze. */
+/* Writes the ground as an infinite plane, with haze at large distances. If the sky is a picture, which has its own
+ * horizon, there is no haze. */
 static void pov_ground(vs_emitter *e, const vs_look *l, double diagonal, double pixel) {
   vs_writer *w = e->out;
   bool plain = e->scene->style == VS_STYLE_MODEL || vs_povray_is_white(e->scene);
   const vs_material *m = plain ? NULL : e->scene->ground_material;
   bool studio = !e->scene->has_ground;
-  double lift = 1e-5 * diagonal; /* lift: the ground is lower by this length, so that it is not coplanar with the
+  double lift = 1e-5 * diagonal; /* lift: distance by which the ground is lowered, so that it is not coplanar with the
                                   * bottoms of objects */
   double z = (studio ? e->bounds.min.z : e->scene->ground_z) * e->unit - lift;
   if (m != NULL) vs_povray_prepare_texture(e, m, pixel);
@@ -381,15 +383,17 @@ static void pov_ground(vs_emitter *e, const vs_look *l, double diagonal, double 
   vs_puts(w, "}\n");
 }
 
-/* Returns the settings for the light that sky and walls reflect on each other. Without this light, rooms are dark. A
- * room with a small window needs many rays, few of which find the window. error_bound 1 uses samples within their
- * error, and nearest_count many at a time. This costs less than more samples, and leaves no blotches on walls. The
- * setting minimum_reuse, a fraction of the picture's width, prevents a sample for each pixel of outdoor detail: the
- * example of the station takes a third of the time. The setting adc_bailout ends a ray that carries less than a tenth
- * of the light, such as reflections of panes: this again halves the station's time. With always_sample off, a point
- * that the first pass (pretrace) has not sampled gets the light of its neighbours, or without neighbours the mean of
- * all samples, a grey patch. Therefore pretrace_end, also a fraction of the picture's width, is so small that small
- * faces in caves and coffers are sampled. In exchange, the count of rays is 100 instead of 150. */
+/* Returns the settings for radiosity: the light that sky and walls reflect on each other. Without it, rooms are dark.
+ *
+ * count: a room with a small window needs many rays, few of which go through the window. error_bound 1 uses samples
+ * within their error, and nearest_count many at a time. This costs less than more samples, and leaves no blotches on
+ * walls. minimum_reuse, a fraction of the picture's width, prevents a sample for each pixel of outdoor detail: the
+ * example of the station takes a third of the time. adc_bailout ends a ray that carries less than a tenth of the light,
+ * such as reflections of panes: this again halves the station's time.
+ *
+ * With always_sample off, a point that the first pass (pretrace) has not sampled gets the light of its neighbours, or
+ * without neighbours the mean of all samples, a grey patch. Therefore pretrace_end, also a fraction of the picture's
+ * width, is so small that small faces in caves and coffers are sampled. In exchange, count is 100 instead of 150. */
 static const char *pov_radiosity(vs_render_quality q) {
   switch (q) {
   case VS_RENDER_DRAFT: break;
@@ -403,8 +407,8 @@ static const char *pov_radiosity(vs_render_quality q) {
   return "";
 }
 
-/* Writes the settings of radiosity. If a run of POV-Ray gets samples of light from a file, it makes no grid of samples
- * (its first step is as wide as the picture), and as few new samples as possible (povray_plan.c). */
+/* Writes the settings of radiosity. A run of POV-Ray that reads samples of light from a file computes no grid of
+ * samples (its first step is as wide as the picture), and as few new samples as possible (povray_plan.c). */
 static void pov_put_radiosity(vs_emitter *e) {
   vs_render_quality quality = e->options->quality;
   if (quality == VS_RENDER_DRAFT) return;
@@ -416,19 +420,20 @@ static void pov_put_radiosity(vs_emitter *e) {
   vs_puts(e->out, pov_is_developed(e) ? "#end }\n" : "}\n");
 }
 
-/* Returns the scene's unit: the length of a model unit in the scene. POV-Ray has absolute tolerances. Objects much
- * smaller than a unit have holes, and meshes of millions of units are invisible. Such drawings are scaled by a power of
- * ten, so that their size is some tens of units. */
+/* Returns the length of a model unit in the scene. POV-Ray has absolute tolerances: objects much smaller than a unit of
+ * the scene have holes, and meshes of millions of units are invisible. Such drawings are scaled by a power of ten, so
+ * that their size is some tens of units. */
 static double pov_unit(double diagonal) {
   return diagonal > 0.1 && diagonal < 1e5 ? 1 : pow(10, 1 - floor(log10(diagonal)));
 }
 
-/* Returns half the width of a picture at the distance 1. For a panorama, returns half a turn. */
+/* Returns half the width of a picture plane at the distance 1 from the eye. For a panorama, returns half a turn in
+ * radians. */
 static double pov_half_width(const vs_look *l) { return l->panorama ? pi : tan(l->angle / 2); }
 
-/* Returns the thickness of curves. It is at least two pixels and at least 1/450 of the picture's width, so that large
- * pictures show curves. Points closer than a thousandth of the drawing's size, or behind the camera, are treated as if
- * at that distance. */
+/* Returns the data for the thickness of curves. It is at least two pixels and at least 1/450 of the picture's width, so
+ * that large pictures show curves. Points closer than a thousandth of the drawing's size, or behind the camera, are
+ * treated as if at that distance. */
 static vs_pen pov_pen(const vs_emitter *e, const vs_look *l, int width) {
   double across = fmax(2. / width, 1. / 450); /* thickness of curves as a fraction of the picture's width */
   if (l->parallel) return (vs_pen){ .least = across * l->width / 2 };
@@ -449,8 +454,8 @@ static double pov_pixel(const vs_emitter *e, const vs_look *l, int width) {
     double out = fmax(fmax(low[i] * e->unit - eye[i], eye[i] - high[i] * e->unit), 0);
     square += out * out;
   }
-  double least = 0.02 * vs_bounds_diagonal(&e->bounds) * e->unit; /* least distance that is assumed for the nearest
-                                                                   * point, for an eye among the walls */
+  double least = 0.02 * vs_bounds_diagonal(&e->bounds) * e->unit; /* least assumed distance to the nearest point, for an
+                                                                   * eye among the walls */
   return fmax(sqrt(square), least) * 2 * pov_half_width(l) / width;
 }
 
@@ -464,7 +469,7 @@ static double pov_chord(const vs_emitter *e, double pixel) {
   return fmin(1, fmax(1. / 16, pixel / 8 / e->unit / e->drawing_facets.tolerance));
 }
 
-/* Warns, with the object's place, if the eye is inside an object, so that the picture shows only the dark inside.
+/* Warns, with the object's place, if the eye is inside an object, so that the picture shows only its dark inside.
  * Returns false with the error set. */
 static bool pov_tell_eye(vs_emitter *e, const vs_look *look) {
   for (size_t i = 0; !look->parallel && i < e->scene->drawn_count; i++) {
@@ -497,8 +502,8 @@ bool vs_povray_begin(vs_emitter *e) {
   vs_putf(w, ": a scene for POV-Ray 3.7, made by VisualScheme\n// povray +W%d +H%d +A0.1 THIS-FILE\n#version 3.7;\n",
           width, height);
   vs_puts(w, "global_settings {\n  assumed_gamma 1\n  max_trace_level 12\n  ");
-  /* Light is reflected repeatedly between the faces of a pane. A ray that carries less than a fiftieth of a pixel's
-   * light is not followed. */
+  /* Light is reflected repeatedly between the faces of a pane. This setting ends a ray that carries less than a
+   * fiftieth of a pixel's light. */
   if (pov_is_developed(e) && e->options->quality != VS_RENDER_FINAL) vs_puts(w, "adc_bailout 0.02\n  ");
   pov_put_radiosity(e);
   vs_puts(w, "}\n#default { texture { pigment { color srgb ");

@@ -7,7 +7,7 @@
 /* vs_povray_begin writes the scene's beginning (camera, light, sky), and vs_povray_end its end. */
 bool vs_povray_begin(vs_emitter *e);
 bool vs_povray_end(vs_emitter *e);
-double vs_povray_ambient(const vs_emitter *e); /* returns the light that a draft adds to all surfaces; 0 for other
+double vs_povray_ambient(const vs_emitter *e); /* returns the brightness that a draft adds to all surfaces; 0 for other
                                                 * qualities */
 
 #endif

@@ -15,8 +15,8 @@
 #include "geometry/frame.h"
 #include "geometry/profiles/revolve.h"
 
-/* Sizes in bytes of a point and a shape as text. A drawing may have a million primitives, so their text is made
- * directly in the writer's buffer. */
+/* Greatest lengths in bytes of a point and a shape as text. A drawing may have a million primitives, so their text is
+ * written directly into the writer's buffer. */
 enum { POV_POINT_ROOM = 3 * VS_NUMBER_ROOM + 8, POV_SHAPE_ROOM = 80 + 32 + 2 * POV_POINT_ROOM + 2 * VS_NUMBER_ROOM };
 
 static char *pov_write_point(char *to, vs_vec3 p) {
@@ -38,8 +38,8 @@ static char *pov_write_comma(char *to, double x) {
   return vs_number_write(to, x);
 }
 
-/* Returns room for a shape in the writer's buffer, after its indentation and keyword (of at most 32 letters). Returns
- * NULL on failure. */
+/* Returns room for a shape's text in the writer's buffer, after writing its indentation and keyword (of at most 32
+ * letters). Returns NULL on failure. */
 static char *pov_begin(vs_emitter *e, const char *word, size_t length) {
   char *to = vs_writer_room(e->out, POV_SHAPE_ROOM);
   if (to == NULL) return NULL;
@@ -64,7 +64,7 @@ static void pov_comma(vs_emitter *e, double x) {
 }
 
 /* Writes a matrix. POV-Ray multiplies row vectors by matrices, so the rows of its matrix are the columns of
- * VisualScheme's. The translation is in model units. */
+ * VisualScheme's. The translation of `a` is in model units. */
 static void pov_matrix(vs_emitter *e, const vs_affine *a) {
   vs_puts(e->out, "matrix <");
   for (int column = 0; column < 4; column++)
@@ -92,7 +92,7 @@ static vs_emit_status pov_sphere(vs_emitter *e, vs_vec3 center, double radius) {
   return pov_finish(e, pov_write_comma(to, radius * e->unit));
 }
 
-/* If the model sets the number of facets, the object consists of these facets, so it is written as triangles. */
+/* If the model sets the number of facets, the object consists of these facets, and is written as triangles. */
 vs_emit_status vs_povray_sphere(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_sphere *s = VS_AS(sphere, ref->node);
@@ -195,8 +195,8 @@ vs_emit_status vs_povray_half_space(vs_emitter *e, const vs_ref *ref, vs_phase p
 
 /* ---- curves and regions ---- */
 
-/* Returns the radius of a curve at point p. Where the uses of a template are placed is not known here, so inside a
- * template the radius is that at the far end of the drawing. */
+/* Returns the radius of a curve at the point p. Inside a template, whose places are not known here, it is the radius at
+ * the far end of the drawing. */
 static double pov_pen_radius(const vs_emitter *e, vs_vec3 p) {
   double depth = vs_v3_dot(vs_v3_sub(vs_affine_point(&e->placement, p), e->pen.eye), e->pen.forward);
   double size = cbrt(fabs(vs_affine_determinant(&e->placement)));
@@ -322,8 +322,8 @@ vs_emit_status vs_povray_extrude(vs_emitter *e, const vs_ref *ref, vs_phase phas
   return pov_close(e, "");
 }
 
-/* Writes a full revolution of a single loop of straight edges as a lathe. The profile of a lathe lies in x and y and
- * rotates about y. Solids with round profiles look better as shaded triangles. */
+/* Writes a full revolution of a single loop of straight edges as a lathe. The profile of POV-Ray's lathe is in x and y
+ * and rotates about y. Solids with round profiles look better as shaded triangles. */
 vs_emit_status vs_povray_revolve(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const vs_node *n = ref->node;
@@ -375,8 +375,8 @@ vs_emit_status vs_povray_transform(vs_emitter *e, const vs_ref *ref, vs_phase ph
   return pov_close(e, "");
 }
 
-/* A material applies only to parts without a material. POV-Ray gives the material of a compound object to those of its
- * parts that have none. If such a part already has a material, POV-Ray puts the second material on top of the first. */
+/* A material of a compound object applies only to parts without a material. POV-Ray gives it to the parts that have
+ * none, but in a part that has one, it puts the second material on top of the first. */
 vs_emit_status vs_povray_material(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   if (phase == VS_PHASE_ENTER) {
     pov_open(e, "object {\n");
@@ -397,8 +397,8 @@ vs_emit_status vs_povray_layer(vs_emitter *e, const vs_ref *ref, vs_phase phase)
   return pov_close(e, "");
 }
 
-/* Returns true if the text begins with a keyword of the appearance, such as texture: it then applies to the child. Any
- * other text is an object that replaces the child. */
+/* Returns true if the text begins with a keyword of the appearance, such as texture: the text then applies to the
+ * node's child. Any other text is an object that replaces the child. */
 static bool pov_is_look(const char *text) {
   static const char *const words[] = { "texture",  "pigment", "normal",    "finish", "interior",
                                        "material", "photons", "no_shadow", "hollow" };
@@ -415,7 +415,8 @@ vs_emit_status vs_povray_native(vs_emitter *e, const vs_ref *ref, vs_phase phase
   const char *code = VS_AS(native, ref->node)->code;
   bool look = pov_is_look(code);
   if (phase == VS_PHASE_ENTER) {
-    if (look && e->child_count == 0) return VS_WHOLE; /* the child draws nothing, so its appearance is omitted */
+    if (look && e->child_count == 0) return VS_WHOLE; /* the child draws nothing, so the text for its appearance is
+                                                       * omitted */
     pov_open(e, "object {\n");
     if (look) return pov_close(e, "");
   }
@@ -441,7 +442,7 @@ vs_emit_status vs_povray_csg(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
     if (n->kind != VS_UNION && whole && vs_emit_is_painted(e, n) && vs_emit_is_bare(e, n))
       pov_open(e, "  cutaway_textures\n");
     /* For every ray, POV-Ray tests all parts of a difference, unless the text contains their bounds. An intersection
-     * with a box lies inside the box, so the box is written as bounds. */
+     * with a box lies inside the box, so the box is also written as bounds. */
     if (n->kind == VS_INTERSECTION && e->in_boolean && n->children[0].node->kind == VS_BOX) {
       const struct vs_box *b = VS_AS(box, n->children[0].node);
       vs_vec3 more = vs_v3_scale(vs_v3_sub(b->q, b->p), 1e-4);
@@ -471,7 +472,7 @@ bool vs_povray_define(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open) 
 bool vs_povray_use(vs_emitter *e, uint32_t id, const vs_ref *ref) {
   (void)ref;
   pov_indent(e);
-  bool placed = e->parent != NULL && e->parent->kind == VS_TRANSFORM; /* true if a placement around this node has
+  bool placed = e->parent != NULL && e->parent->kind == VS_TRANSFORM; /* whether a placement around this node has
                                                                        * already begun the object */
   return vs_puts(e->out, placed ? "T" : "object { T") && vs_emit_put_template_number(e, id) &&
          vs_puts(e->out, placed ? "\n" : " }\n");

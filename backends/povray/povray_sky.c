@@ -20,7 +20,7 @@ double vs_povray_gain(const vs_scene *scene) {
 vs_povray_daylight vs_povray_daylight_of(const vs_scene *scene, vs_vec3 sun, double strength) {
   const double pi = 3.14159265358979323846, grey = 0.3;
   vs_povray_daylight d = { .sky = vs_sky_light_of_scene(scene, sun), .per_candela = strength * 1e-4 };
-  /* The brightness of a white surface that faces a light of strength 1 is 1 in the scene, and its luminance is the
+  /* A white surface that faces a light of strength 1 has the brightness 1 in the scene. Its luminance is the
    * illuminance divided by pi. */
   double per_lux = d.per_candela / pi;
   vs_vec3 level = vs_sky_light_level(&d.sky);

@@ -1,4 +1,4 @@
-/* Contains the text functions that all shapes of the POV-Ray back-end use: indentation, points in the scene's units. */
+/* Contains the text functions that all files of the POV-Ray back-end use: indentation, points in the scene's units. */
 #ifndef VS_BACKENDS_POVRAY_POVRAY_TEXT_H
 #define VS_BACKENDS_POVRAY_POVRAY_TEXT_H
 

@@ -1,4 +1,4 @@
-/* Makes a picture with POV-Ray. Starts the runs (processes) of the plan in povray_plan.c, as many at a time as there
+/* Renders a picture with POV-Ray. Starts the runs (processes) of the plan in povray_plan.c, as many at a time as there
  * are processors, and reports their combined progress. Ends all runs when one fails or the time limit is reached.
  * Manages the private folder and the samples of bounced light, which the runs share. */
 #define _GNU_SOURCE
@@ -22,14 +22,14 @@
 #include "geometry/measure/bounds.h"
 
 enum { AT_ONCE = 64, STARTS = 5, NAME_ROOM = VS_POVRAY_PATH_ROOM + 40, WORDS = 25 };
-/* Time of the first pass, as a fraction of the time of all passes: the first pass takes about half as long as the
+/* Estimated time of the first pass, as a fraction of the time of all runs: it takes about half as long as the
  * strips. */
 static const double pass_share = 0.35;
-/* Limit of the exposure in stops. If white must become darker than 1 by more than this, the file of samples, which has
- * four digits after the point, is too coarse. */
+/* Limit of the exposure in stops. If an exposure darkens the picture by more stops, the file of samples, which has four
+ * digits after the point, is too coarse. */
 static const double darkest = 5;
-/* Limit of the distance from the origin, as a multiple of the drawing's size. Farther away, the six digits in the file
- * of samples are too few for positions. */
+/* Limit of the drawing's distance from the origin, as a multiple of its size. At larger distances, the six digits in
+ * the file of samples are too few for positions. */
 static const double farthest = 50;
 
 typedef struct {
@@ -37,13 +37,14 @@ typedef struct {
   char folder[VS_POVRAY_PATH_ROOM - 64];
   const char *scene;
   uint64_t scene_size;
-  double begun, told;    /* begun: start of the work; told: last report of progress; both in seconds, by the clock */
-  double done, share;    /* fractions of all work. done: completed before the current runs; share: fraction that the
-                          * current runs take */
+  double begun, told;    /* begun: time at which the work began; told: time of the last report of progress; both in
+                          * seconds, by the clock */
+  double done, share;    /* fractions of all work. done: part that was completed before the current runs; share: part
+                          * that the current runs do */
   vs_povray_plan plan;
 } pov_work;
 
-/* The runs of POV-Ray that make the jobs of one step of the plan. */
+/* The jobs of one step of the plan, and the runs (processes) of POV-Ray that do them. */
 typedef struct {
   const vs_povray_job *jobs;
   size_t count, next, room; /* count: number of jobs; next: index of the next job to start; room: number of entries of
@@ -73,8 +74,8 @@ __attribute__((format(printf, 2, 3))) static void word(words *w, const char *for
   w->used += (size_t)length + 1;
 }
 
-/* Adds a file of the folder as an argument of POV-Ray. POV-Ray divides every argument again at blanks and quotes, so
- * the name is quoted. */
+/* Adds a file in the folder as an argument of POV-Ray. POV-Ray divides every argument again at blanks and quotes, so
+ * the file's name is quoted. */
 static void file_word(words *w, const char *option, const char *folder, const char *name, const char *ending) {
   char quote = strchr(folder, '"') ? '\'' : '"';
   word(w, "%s%c%s/%s%s%c", option, quote, folder, name, ending, quote);
@@ -135,7 +136,7 @@ static bool crew_start(pov_work *work, pov_crew *c, size_t slot) {
 
 static double job_pixels(const vs_povray_job *job) { return (double)job->part.columns * job->part.rows; }
 
-/* Starts runs in all free slots. */
+/* Starts runs of POV-Ray in all free slots, as long as there are jobs. */
 static bool crew_fill(pov_work *work, pov_crew *c) {
   for (size_t i = 0; i < c->room && c->next < c->count; i++) {
     if (c->at[i].process > 0) continue;
@@ -146,7 +147,7 @@ static bool crew_fill(pov_work *work, pov_crew *c) {
   return true;
 }
 
-/* Reads the runs' output for a short time. Returns the number of runs that continue. */
+/* Reads the runs' output for a short time. Returns the number of runs that have not ended. */
 static size_t crew_hear(pov_crew *c) {
   struct pollfd wait[AT_ONCE];
   size_t of[AT_ONCE], talking = 0, running = 0;
@@ -193,7 +194,7 @@ static bool crew_tell(pov_work *work, const pov_crew *c) {
   return vs_emit_progress(work->e, "rendering", work->done + work->share * fmin(1, pixels / c->pixels));
 }
 
-/* Runs the jobs to their end. share: fraction of all work that the jobs take. */
+/* Runs the jobs to their end. share: fraction of all work that these jobs are. */
 static bool work_do(pov_work *work, const vs_povray_job *jobs, size_t count, double share) {
   vs_store *store = work->e->scene->store;
   size_t room = vs_povray_at_once(work->e->options, jobs, work->scene_size);
@@ -275,7 +276,8 @@ static bool work_prepare(pov_work *work) {
 
 /* ---- the picture ---- */
 
-/* Returns true if the drawing is so far from the origin that the positions of samples have too few digits. */
+/* Returns true if the drawing is so far from the origin that the positions in the file of samples have too few
+ * digits. */
 static bool is_far(const vs_emitter *e) {
   double away = 0;
   const double at[] = { e->bounds.min.x, e->bounds.min.y, e->bounds.min.z,
@@ -284,8 +286,8 @@ static bool is_far(const vs_emitter *e) {
   return away > farthest * vs_bounds_diagonal(&e->bounds);
 }
 
-/* Makes all pictures of the plan, and sets *tone to the exposure that the first pass gives. If the file of samples
- * would be too coarse for a dark picture, makes the picture again as a single run. */
+/* Renders all pictures of the plan, and sets *tone to the exposure that the first pass gives. If the file of samples
+ * would be too coarse for a dark picture, renders the picture again in a single run. */
 static bool work_all(pov_work *work, vs_tone *tone) {
   vs_povray_plan *p = &work->plan;
   double stops = 0, dark = 0;

@@ -1,10 +1,11 @@
-/* Declares the running of POV-Ray. */
+/* Declares the rendering of pictures by POV-Ray. */
 #ifndef VS_BACKENDS_POVRAY_POVRAY_WORKER_H
 #define VS_BACKENDS_POVRAY_POVRAY_WORKER_H
 
 #include "backends/povray/povray_materials.h"
 
-/* Both functions render a scene with POV-Ray and write the picture to the output file, as .png or as .exr. */
+/* vs_povray_render_png and the next function render a scene with POV-Ray and write the picture to the output file, as
+ * .png or as .exr. */
 bool vs_povray_render_png(vs_emitter *e, const char *scene, const char *output);
 bool vs_povray_render_exr(vs_emitter *e, const char *scene, const char *output);
 
