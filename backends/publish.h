@@ -8,22 +8,22 @@ typedef struct {
   int file;       /* descriptor, open for writing; the caller does not close it */
   char *target;   /* path at which the file will appear */
   char *name;     /* temporary path, beside the target */
-  bool nameless;  /* true if the file has no name yet, so that it vanishes when the process ends */
+  bool nameless;  /* whether the file has no name yet, so that it vanishes when the process ends */
 } vs_publish;
 
-/* Begins a file that will appear at path when it is complete. If path is a symbolic link, the link's target is
- * replaced, and the link remains. named: true if another program will write the file, under the name p->name. On
+/* Begins a file that will appear at path when it is complete. If path is a symbolic link, the file to which it points
+ * is replaced, and the link remains. named: whether another program will write the file, under the name p->name. On
  * failure returns false, with the reason in errno and nothing open. */
 bool vs_publish_begin(vs_publish *p, const char *path, bool named);
-/* Ends the file. If `whole`, the file replaces the target in a single step; otherwise the file is removed. Returns
- * false if closing or renaming fails, with the errno of the first failure; the target is then unchanged. */
+/* Ends the file. If `whole` is true, the file replaces the target in a single step; otherwise the file is removed.
+ * Returns false if closing or renaming fails, with the errno of the first failure; the target is then unchanged. */
 bool vs_publish_end(vs_publish *p, bool whole);
 
-/* Removes files that killed processes left in a folder. It removes only files of this user, and folders that contain
- * only files. Their name must be `beginning` followed only by characters of `end`. A running process locks its own
- * entries with flock. Entries that are a few seconds old may not be locked yet, and are kept. */
+/* Removes files and folders that killed processes left in a folder. It removes only files of this user, and folders
+ * that contain only files. Their name must be `beginning` followed only by characters of `end`. A running process locks
+ * its own entries with flock. Entries that are a few seconds old may not be locked yet, and are kept. */
 void vs_publish_sweep(const char *folder, const char *beginning, const char *end);
-/* Removes a folder that contains only files. */
+/* Removes a folder together with its contents, which must be files. */
 void vs_publish_clear(const char *folder);
 
 #endif

@@ -5,8 +5,8 @@ enum {
   MOST_WORDS = 1 << 22, /* length of the longest key of a cached text in words of 8 bytes: 32 MB, enough for a mesh of a
                          * million corners */
   MOST_TEXT = 1 << 26,  /* length of the longest text that is cached, in bytes */
-  LEAST_TEXT = 1024     /* length of the shortest text that is cached, in bytes; a shorter text is written again faster
-                         * than it is found */
+  LEAST_TEXT = 1024     /* length in bytes of the shortest text that is cached; writing a shorter text again is faster
+                         * than finding it */
 };
 
 /* ---- keys ---- */
@@ -30,7 +30,7 @@ void vs_reuse_put_reals(vs_reuse *r, const double *reals, size_t count) {
 
 /* Puts the reals of a single field into the key. For so few numbers, a loop is faster than memcpy. */
 static void put_few(vs_reuse *r, const double *reals, size_t count) {
-  if (!vs_reuse_room(r, count)) return; /* the memory may be full after an array, so room is requested again */
+  if (!vs_reuse_room(r, count)) return; /* the key's memory may be full after the array, so more is requested */
   uint64_t *to = r->words + r->count;
   for (size_t i = 0; i < count; i++) memcpy(&to[i], &reals[i], sizeof *to);
   r->count += count;
@@ -44,8 +44,8 @@ static void put_bytes(vs_reuse *r, const void *bytes, size_t size) {
   r->count += words;
 }
 
-/* Puts the values of a node into the key. Texts and materials are interned in the store, which outlives the cache, so
- * their addresses identify them. */
+/* Puts the values of a node's fields into the key. Texts and materials are interned in the store, which exists longer
+ * than the cache, so their addresses identify them. */
 void vs_reuse_put_payload(vs_reuse *r, const vs_kind_info *info, const void *data) {
   for (size_t i = 0; i < info->field_count; i++) {
     const void *at = (const char *)data + info->fields[i].offset;

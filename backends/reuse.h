@@ -4,18 +4,19 @@
  * The driver divides a drawing into runs: sequences of a few hundred shapes (text_runs.h). It describes each run by a
  * list of words, the key. The words contain the values of the nodes instead of their addresses. Therefore a program
  * that is evaluated again finds the text of the evaluation before, and the cache refers to no node. If the driver finds
- * the text of a run, it writes that text. Otherwise it makes the text, and stores a copy.
+ * the text of a run, it writes that text. Otherwise it produces the text, and stores a copy.
  *
- * Numbers of templates and materials need care: a new number at the front changes all later numbers. A key contains
- * these numbers as positions in the order in which the run uses them. Cached text contains slots into which the current
- * numbers are put. If memory is refused, only the copy of the text is lost. */
+ * The numbers of templates and materials may change: a new template or material in the drawing changes all later
+ * numbers. A key therefore contains these numbers by their order of use in the run. Cached text contains slots into
+ * which the current numbers are written. If memory for a copy is refused, only the copy is lost. */
 #ifndef VS_BACKENDS_REUSE_H
 #define VS_BACKENDS_REUSE_H
 
 #include "backends/writer.h"
 #include "model/store/cache.h"
 
-/* An origin, and the first line of the text that has it. The origin applies to all lines before the next such entry. */
+/* The origin (place in the program) of lines of text, and the first line that has it. The following lines have the same
+ * origin, up to the line of the next entry. */
 typedef struct { uint32_t line; const vs_origin *origin; } vs_reuse_line;
 
 typedef enum { VS_NUMBER_TEMPLATE, VS_NUMBER_PAINT, VS_NUMBER_KINDS } vs_number_kind;
@@ -24,35 +25,36 @@ typedef struct { uint32_t run, local; } vs_reuse_local;
 typedef struct {
   vs_cache *cache;   /* cache of text; NULL: no text is cached */
   vs_store *store;
-  uint64_t *words;   /* words of the key of the run (sequence of shapes) that was last searched for */
+  uint64_t *words;   /* words of the key of the last run (sequence of shapes) for which the cache was searched */
   size_t count, room;
   uint64_t hash;     /* hash of the nodes in the key, never 0 */
-  bool unfit;        /* true if the words cannot be a key: they are too many, memory is out, or they contain a number
+  bool unfit;        /* whether the words cannot be a key: they are too many, memory is out, or they contain a number
                       * that is valid only during this evaluation */
-  bool open;         /* true while a run (sequence of shapes) is written whose text will be cached */
+  bool open;         /* whether the text of the run that is being written will be cached */
   uint64_t triangles; /* number of triangles in the run (sequence of shapes) that is being written, set at its end */
   uint64_t from;     /* number of bytes that the writer had written before the current run */
   char *caught;      /* part of the current run's text that has already left the writer's buffer */
   size_t caught_count, caught_room;
-  /* numbers: the numbers of templates and materials in the run (sequence of shapes), each once, in order of use. The
-   * second array is its inverse: it maps a number to its index, valid if `run` is the current run. */
+  /* numbers: the numbers of templates and materials in the run (sequence of shapes), without duplicates, in order of
+   * use. The second array is its inverse: it maps a number to its index in `numbers`. An entry is valid if its member
+   * `run` is the current run. */
   uint32_t *numbers[VS_NUMBER_KINDS], run;
   size_t number_count[VS_NUMBER_KINDS], number_room[VS_NUMBER_KINDS];
   vs_reuse_local *locals[VS_NUMBER_KINDS];
   size_t local_room[VS_NUMBER_KINDS];
-  uint64_t *slots;   /* positions of numbers in the run's text, packed: position << 32 | index in `numbers` << 8 | count
-                      * of digits << 1 | kind */
+  uint64_t *slots;   /* slots: positions of numbers in the run's text, packed: position << 32 | index in `numbers` << 8
+                      * | count of digits << 1 | kind */
   size_t slot_count, slot_room;
   const char **said; /* addresses of the warnings that writing the run has caused */
   size_t said_count, said_room;
 } vs_reuse;
 
-/* Grows an array whose items have `size` bytes. If memory is refused, the current text is not cached, and nothing else
- * changes. */
+/* Grows an array whose items have `size` bytes to at least `need` items. If memory is refused, the current text is not
+ * cached, and nothing else changes. */
 bool vs_reuse_more(vs_reuse *r, void *array, size_t *room, size_t need, size_t size);
 bool vs_reuse_grow(vs_reuse *r, size_t need);
-/* The functions of this group put words into the key: the next word, or the words of a node's values. The caller puts
- * the numbers of the node's materials. */
+/* vs_reuse_room and the next functions put words into the key: the next word, or the words of a node's values. The
+ * caller puts the numbers of the node's materials. */
 static inline bool vs_reuse_room(vs_reuse *r, size_t need) {
   return r->room - r->count >= need || vs_reuse_grow(r, need);
 }
@@ -60,8 +62,9 @@ static inline void vs_reuse_put(vs_reuse *r, uint64_t word) {
   if (vs_reuse_room(r, 1)) r->words[r->count++] = word;
 }
 void vs_reuse_put_reals(vs_reuse *r, const double *reals, size_t count);
-void vs_reuse_put_number(vs_reuse *r, vs_number_kind kind, uint32_t number); /* puts the number's index, by order of use
-                                                                              * within the run, into the key */
+void vs_reuse_put_number(vs_reuse *r, vs_number_kind kind, uint32_t number); /* puts the index of a number in `numbers`,
+                                                                              * by order of use within the run, into the
+                                                                              * key */
 void vs_reuse_put_payload(vs_reuse *r, const vs_kind_info *info, const void *data);
 
 /* A text found in the cache: its bytes, the numbers in it, the origins of its lines (the first is line 0) and its
@@ -74,14 +77,14 @@ typedef struct {
   const char *const *said;
   size_t size, slot_count, line_count, said_count, triangles;
 } vs_reused;
-void vs_reuse_start(vs_reuse *r); /* begins an empty key */
-void vs_reuse_mix(vs_reuse *r, uint64_t hash); /* Mixes a node's hash into the hash of the key. Equal hashes do not
-                                                * imply equal keys: the hash only narrows the search. */
+void vs_reuse_start(vs_reuse *r); /* begins an empty key for another run */
+void vs_reuse_mix(vs_reuse *r, uint64_t hash); /* Combines a node's hash with the hash of the key. Equal hashes do not
+                                                * imply equal keys: the hash only accelerates the search. */
 bool vs_reuse_find(vs_reuse *r, vs_reused *out);
 bool vs_reuse_put_out(const vs_reuse *r, const vs_reused *found, vs_writer *w);
 
-void vs_reuse_begin(vs_reuse *r, vs_writer *w); /* begins a text to cache, which is all text that w writes from now
-                                                 * on */
+void vs_reuse_begin(vs_reuse *r, vs_writer *w); /* begins to record a text for the cache: all text that w writes from
+                                                 * now on */
 /* Records that the caller will write this number next, at the current position of the text. */
 void vs_reuse_numbered(vs_reuse *r, const vs_writer *w, vs_number_kind kind, uint32_t number);
 void vs_reuse_warned(vs_reuse *r, const char *message);

@@ -1,6 +1,6 @@
 /* Computes the normals of triangle corners. A corner's normal is a mean over the faces around its vertex, each weighted
  * by its angle at the vertex. The mean includes only the faces whose angle to the corner's own face is less than the
- * crease. Equal normals at a vertex use a single entry of the list. */
+ * crease angle. Equal normals at a vertex are one entry of the list of normals. */
 #include "backends/shade.h"
 
 #include <math.h>
@@ -25,13 +25,13 @@ static double shade_angle(const vs_vec3 *v, const uint32_t t[3], int corner) {
   return acos(fmax(-1, fmin(1, vs_v3_dot(a, b))));
 }
 
-/* The triangles, and the arrays used while their normals are computed. The memory function of `out` allocates all of
- * them. */
+/* The triangles, and temporary arrays for computing their normals. The memory function of `out` allocates these
+ * arrays. */
 typedef struct {
   const vs_shade_faces *of;
   vs_shading *out;
-  double least;               /* cosine of the crease: two faces are smooth with each other if the cosine between their
-                               * normals is at least this value */
+  double least;               /* cosine of the crease angle: the edge between two faces is smooth if the cosine between
+                               * their normals is at least this value */
   vs_vec3 *faces;             /* faces[t]: unit normal of triangle t's plane */
   double *angles;             /* angle of each triangle at each of its corners, in radians */
   uint32_t *starts, *around;  /* the corners around vertex v are around[starts[v]] to around[starts[v + 1] - 1] */
@@ -81,8 +81,8 @@ static void shade_vertex(const shade_work *w, size_t v) {
     }
     vs_vec3 normal = shade_unit(sum);
     if (vs_v3_length(normal) < 0.5) normal = own;
-    if (vs_v3_length(normal) < 0.5) normal = vs_v3(0, 0, 1); /* The triangle is a needle, so thin that it has no normal
-                                                              * of its own. */
+    if (vs_v3_length(normal) < 0.5) normal = vs_v3(0, 0, 1); /* the triangle is a needle: it has no normal, so any
+                                                              * direction will do */
     size_t at = first_normal;
     while (at < out->normal_count && vs_v3_dot(out->normals[at], normal) < 1 - 1e-9) at++;
     if (at == out->normal_count) out->normals[out->normal_count++] = normal;
@@ -90,7 +90,7 @@ static void shade_vertex(const shade_work *w, size_t v) {
   }
 }
 
-/* Frees the unused part of the arrays. It is large, because usually several corners share a normal. */
+/* Frees the unused part of the arrays, which is large because usually several corners have the same normal. */
 static void shade_trim(vs_shading *s) {
   size_t room = s->normal_count + 1;
   vs_vec3 *less = s->memory(s->context, s->normals, s->normal_room * sizeof *less, room * sizeof *less);

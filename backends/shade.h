@@ -30,10 +30,10 @@ typedef struct {
 typedef struct {
   const vs_vec3 *vertices;
   const uint32_t (*triangles)[3];
-  const uint32_t *groups;     /* groups[t]: group of triangle t, which is smooth only with triangles of its group; NULL:
-                               * all triangles are in a single group */
+  const uint32_t *groups;     /* groups[t]: group of triangle t, whose edges are smooth only between triangles of one
+                               * group; NULL: all triangles are one group */
   size_t vertex_count, triangle_count;
-  double crease;              /* least angle between two faces that makes their common edge sharp, in radians */
+  double crease;              /* least angle between two faces, in radians, at which their common edge is sharp */
 } vs_shade_faces;
 #define VS_SHADE_FLAT UINT32_MAX /* number of the group of flat triangles, each of which has the normal of its own
                                   * plane */
@@ -51,30 +51,29 @@ bool vs_shading_make(vs_emitter *e, const vs_shade_faces *faces, vs_shading *out
  * after e's store is freed. */
 bool vs_shading_make_in(vs_emitter *e, vs_shade_memory *memory, void *context, const vs_shade_faces *faces,
                         vs_shading *out);
-/* Returns the usual crease in radians: 0.6 for shapes with curved faces (round), 0.05 for shapes with flat faces
+/* Returns the usual crease angle in radians: 0.6 for shapes with curved faces (round), 0.05 for shapes with flat faces
  * only. */
 static inline double vs_shade_crease(bool round) { return round ? 0.6 : 0.05; }
 void vs_shading_free(vs_shading *s);
 
-/* A solid whose triangles are being written with normals. A vertex of the output file is a corner together with its
- * normal. Corners at one point with the same normal share a vertex of the file. */
+/* A solid whose triangles are being written with normals. A vertex of the output file is a point together with a
+ * normal. Corners at one point with the same normal are one vertex of the file. */
 typedef struct {
   const vs_solid *solid;
   const vs_affine *place;     /* placement from the solid's coordinates to the file's */
-  bool mirrored;              /* true if the placement mirrors, so that the order of each triangle's corners is
-                               * reversed */
+  bool mirrored;              /* whether `place` mirrors, so that the order of each triangle's corners is reversed */
   vs_shading shading;
   uint32_t *vertex;           /* vertex[i]: number of the vertex with normal i in the current part; VS_SHADED_NEW: the
                                * part has no such vertex yet */
 } vs_shaded_solid;
 #define VS_SHADED_NEW UINT32_MAX
 
-/* Computes the normals and allocates the vertices' numbers. The pointers solid and place must remain valid. Fails as
- * vs_shading_make does. Free with vs_shaded_free, also after a failure. */
+/* Computes the normals of the solid's corners, and allocates the numbers of vertices. The pointers solid and place must
+ * remain valid. Fails as vs_shading_make does. Free *out with vs_shaded_free, even after a failure. */
 bool vs_shaded_make(vs_emitter *e, const vs_solid *solid, const vs_affine *place, double crease, vs_shaded_solid *out);
 void vs_shaded_free(vs_emitter *e, vs_shaded_solid *s);
-void vs_shaded_begin_part(vs_shaded_solid *s); /* begins the next part of the solid, which shares no vertices with
-                                                * earlier parts */
+void vs_shaded_begin_part(vs_shaded_solid *s); /* begins the next part of the solid, which has no vertices in common
+                                                * with earlier parts */
 static inline vs_vec3 vs_shaded_point(const vs_shaded_solid *s, size_t triangle, int corner) {
   const vs_mesh *m = &s->solid->mesh;
   return vs_affine_point(s->place, m->vertices[m->triangles[triangle][corner]]);

@@ -12,37 +12,37 @@ typedef struct { uint32_t number; vs_vec3 middle; } vs_shared_node; /* A node's 
                                                                      * node's bounds. */
 
 typedef struct {
-  struct { uint32_t *at; size_t room; } units[VS_UNIT_COUNT]; /* units[u].at[f]: number of the shape of unit form u
-                                                               * with f facets in a full turn, + 1; 0: there is no
-                                                               * such shape */
-  vs_nodemap nodes;           /* maps a node to the index of its element in `made`, plus 1 */
+  struct { uint32_t *at; size_t room; } units[VS_UNIT_COUNT]; /* units[u].at[f]: 1 + number of the shape of unit form
+                                                               * u with f facets in a full turn; 0: there is no such
+                                                               * shape */
+  vs_nodemap nodes;           /* for a node, 1 + the index of its element in `made` */
   vs_shared_node *made;
   size_t made_count, made_room;
-} vs_shared_shapes;           /* initial value of an empty structure: { .nodes.store = s } */
+} vs_shared_shapes;           /* an empty vs_shared_shapes is { .nodes.store = s } */
 
 void vs_shared_free(vs_emitter *e, vs_shared_shapes *s);
 
-/* A function of the format that writes a shape, with normals for the given crease in radians, and sets the shape's
- * number. Returns false, with e's error set, on failure. */
+/* A function of the format that writes a shape, with normals for the given crease angle in radians, and sets *number to
+ * the shape's number. Returns false, with e's error set, on failure. */
 typedef bool vs_shared_write(vs_emitter *e, const vs_solid *form, double crease, uint32_t *number);
-/* Sets the number of the unit form that `copy` places. Calls `write` if no such form with this number of facets was
- * written. Returns false, with e's error set, on failure. */
+/* Sets *number to the number of the unit form that `copy` places. If the form was not yet written with this number of
+ * facets, calls `write`. Returns false, with e's error set, on failure. */
 bool vs_shared_unit(vs_emitter *e, vs_shared_shapes *s, const vs_unit_copy *copy, vs_shared_write *write,
                     uint32_t *number);
 
-/* How the shape of a node is placed, including the placement of e. */
+/* How the shape of a node is placed, including e->placement. */
 typedef struct {
-  bool shared;                /* true if the shape is valid for all places of the node; otherwise it is made for this
-                               * place only */
-  bool written;               /* true if the shape already has its number; otherwise vs_shared_keep sets it */
+  bool shared;                /* whether the shape is valid for all places of the node; otherwise it is computed for
+                               * this place only */
+  bool written;               /* whether the shape already has a number; otherwise vs_shared_keep sets it */
   uint32_t number;
   vs_vec3 middle;             /* centre of the node's bounds */
-  vs_affine home;             /* placement from the node's coordinates to the shape's */
-  vs_affine there;            /* placement from the shape's coordinates to the output's */
+  vs_affine home;             /* map from the node's coordinates to the shape's */
+  vs_affine there;            /* map from the shape's coordinates to the output's */
 } vs_shared_place;
 
-/* Computes the placement of n's shape. shared: true if a single shape may be used for all places of n. Returns false,
- * with e's error set, on failure. */
+/* Computes how n's shape is placed. shared: whether a single shape may be used for all places of n. Returns false, with
+ * e's error set, on failure. */
 bool vs_shared_find(vs_emitter *e, const vs_shared_shapes *s, const vs_node *n, bool shared, vs_shared_place *out);
 /* Keeps the number of a written shape for the node's other places. Returns false if memory is out. */
 bool vs_shared_keep(vs_emitter *e, vs_shared_shapes *s, vs_node *n, vs_shared_place *place, uint32_t number);

@@ -14,7 +14,7 @@ typedef struct {
   vs_span_fn *fn;
   vs_span_test_fn *test;
   const void *context;
-  size_t count, items; /* count: number of all items. items: number of items in a span */
+  size_t count, items; /* count: number of all items; items: number of items in each span */
   _Atomic size_t sum;
   struct { char *at, *end; size_t room; } made[VS_PIPELINE_WINDOW];
 } spans;

@@ -1,12 +1,12 @@
 /* Finds the runs of a drawing whose text is cached: where each begins and ends, and the key of its text.
  *
  * A run is a sequence of neighbours in an operation or in the drawing, or the body of a template. The weight of a run
- * is about the number of its shapes, and limits its length. Within these limits, a hash of a node decides whether the
- * run ends after it. Therefore, after an insertion or a removal, the runs soon end at the same nodes as before. If a
- * node is too heavy for a run, the search continues among its operands.
+ * is about the number of its shapes, and limits its length. Within these limits, a hash of a node determines whether
+ * the run ends after it. Therefore, after an insertion or a removal, the runs soon end at the same nodes as before. If
+ * a node is too heavy for a run, the search continues among its operands.
  *
- * The key contains the kind and numbers of each node in the order of the walk, and the positions of the run's templates
- * and materials. Before them it contains all members of the emitter that emit functions read. If an operation on
+ * The key contains the kind and numbers of each node in the order of the walk, and the run's templates and materials by
+ * their order of use. Before them it contains all members of the emitter that emit functions read. If an operation on
  * regions is written as a single region, the key contains all of the operation. */
 #include "backends/text_runs.h"
 
@@ -67,11 +67,11 @@ void vs_drive_weigh(vs_emitter *e) {
 /* ---- the key ---- */
 
 typedef struct { const vs_node *node; uint32_t next; bool whole; } step;
-/* The key of a run while it is made. cut: true if the run contains a half-space; thin: true if it contains an object
+/* The key of a run while it is built. cut: whether the run contains a half-space; thin: whether it contains an object
  * that is not a solid */
 typedef struct { step *steps; size_t count, room; bool cut, thin; size_t shapes; } spelling;
 
-enum { MOST_SHAPES = 1 << 16 }; /* greatest number of shapes in a key, because a tree of nodes may refer to a part many
+enum { MOST_SHAPES = 1 << 16 }; /* greatest number of shapes in a key; a tree of nodes may refer to one part many
                                  * times */
 enum { TAG_WHOLE = 1u << 16, TAG_TEMPLATE = 1u << 17, TAG_SHOWN = 1u << 18, TAG_CARVED = 1u << 19 };
 
@@ -79,8 +79,8 @@ static uint64_t paint_bits(const vs_emitter *e, const vs_node *n) {
   return n == NULL ? 0 : 1 | (uint64_t)vs_emit_is_bare(e, n) << 1 | (uint64_t)vs_emit_is_painted(e, n) << 2;
 }
 
-/* Puts the values around the run into the key: placement, fineness and other members of the emitter. Words that depend
- * on the run's contents follow at the end of the key. */
+/* Puts the values into the key that the run's surroundings determine: placement, fineness and other members of the
+ * emitter. Words that depend on the run's contents follow at the end of the key. */
 static void put_surroundings(vs_emitter *e, const vs_node *parent, bool body) {
   vs_reuse *r = &e->drive->reuse;
   const double reals[] = { e->unit, e->drawing_facets.tolerance, e->facets.tolerance };
@@ -110,7 +110,7 @@ static void put_ends(vs_emitter *e, const spelling *s) {
   if (s->cut) vs_reuse_put_reals(r, &e->reach.max.x, 3);
 }
 
-/* Puts a node into the key. Pushes it on the stack if its children must follow. */
+/* Puts a node into the key. If its children must follow, pushes it on the stack. */
 static void put_node(vs_emitter *e, spelling *s, const vs_ref *ref, drive_view view, bool whole) {
   vs_reuse *r = &e->drive->reuse;
   const vs_node *n = ref->node;
@@ -134,8 +134,8 @@ static void put_node(vs_emitter *e, spelling *s, const vs_ref *ref, drive_view v
     s->steps[s->count++] = (step){ n, 0, inside };
 }
 
-/* Puts a reference of the run, and all nodes below it, into the key. body: the reference is a template, and its
- * contents are put, not its number. */
+/* Puts a reference in the run, and all nodes below it, into the key. body: the reference is a template whose contents
+ * are put into the key, not its number. */
 static void put_tree(vs_emitter *e, spelling *s, const vs_ref *ref, bool body) {
   const vs_reuse *r = &e->drive->reuse;
   drive_view view = drive_look(e, ref->node);
@@ -162,8 +162,8 @@ static void put_tree(vs_emitter *e, spelling *s, const vs_ref *ref, bool body) {
 
 /* ---- runs ---- */
 
-/* Sets the end of the run that begins at `from`, and the number of its nodes that draw something. Returns the run's
- * weight, which is about the number of its shapes. */
+/* Sets run->until to the end of the run that begins at `from`, and run->shown to the number of its nodes that draw
+ * something. Returns the run's weight, which is about the number of its shapes. */
 static uint32_t run_end(const vs_emitter *e, const vs_run_row *row, size_t from, vs_run *run) {
   uint32_t weight = 0;
   *run = (vs_run){ .until = from };
@@ -171,8 +171,8 @@ static uint32_t run_end(const vs_emitter *e, const vs_run_row *row, size_t from,
     const vs_node *n = row->refs[run->until].node;
     drive_view view = drive_look(e, n);
     uint32_t own = row->body && view.entry != NULL ? view.entry->weight : weight_of(e, n, view);
-    bool alone = own >= HEAVY; /* alone: the node is too heavy for a run with other nodes. The search continues among
-                                * its operands, unless it is a single shape */
+    bool alone = own >= HEAVY; /* alone: whether the node is too heavy for a run with other nodes; unless it is a single
+                                * shape, the search continues among its operands */
     if (alone && run->until > from) break;
     run->shown += !view.vain;
     weight += alone && view.operation ? 0 : own;
@@ -211,7 +211,7 @@ static void run_begin(vs_emitter *e, size_t until) {
   d->run_until = until;
   if (drive_has(e, VS_KEEPS_ORIGINS)) {
     d->run_line = vs_writer_line(e->out);
-    /* The first line origin that belongs to the run: the current line may still receive another origin. */
+    /* The first recorded origin that belongs to the run. The origin of the current line may still change. */
     d->run_first =
         d->line_count > 0 && d->lines[d->line_count - 1].line == d->run_line ? d->line_count - 1 : d->line_count;
   }
@@ -252,8 +252,8 @@ bool vs_drive_run(vs_emitter *e, const vs_run_row *row, size_t from, vs_run *run
     run_begin(e, run->until);
     return true;
   }
-  run->found = all_said(e, &kept); /* uses the cached text only if all of its warnings were already given; otherwise the
-                                    * run is written again, and the warnings get their places */
+  run->found = all_said(e, &kept); /* uses the cached text only if all its warnings were already given; otherwise the
+                                    * run is written again, so that the warnings get their places */
   bool ok = !run->found || put_out(e, &refs[first], &kept);
   vs_cache_let_go(r->cache, kept.held);
   return ok;

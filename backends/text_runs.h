@@ -4,28 +4,28 @@
 
 #include "backends/backend.h"
 
-void vs_drive_find_short(vs_drive *d); /* sets the members brief and facets_at of d, which tell the kinds with short
-                                        * text */
+void vs_drive_find_short(vs_drive *d); /* sets the members brief and facets_at of d, which say for each kind whether its
+                                        * text is short */
 void vs_drive_weigh(vs_emitter *e); /* sets the weights of the plan's entries, which estimate the length of their
                                      * text */
 
-/* The row of neighbours among which the driver searches for runs: operands, or the drawn objects. */
+/* A row of neighbours among which the driver finds runs: the operands of an operation, or the drawn objects. */
 typedef struct {
   const vs_node *parent; /* operation that contains the neighbours; NULL: the drawing itself */
   const vs_ref *refs;
   size_t count;
-  bool body;             /* true if the row is a single reference to a template, whose contents form the run */
+  bool body;             /* whether the row is a single reference to a template, whose contents are the run */
 } vs_run_row;
 
 typedef struct {
   size_t until;          /* index of the neighbour before which the run ends */
   size_t shown;          /* number of nodes in the run that draw something */
-  bool found;            /* true if the kept text of the run was found and has been written */
+  bool found;            /* whether the run's text was found in the cache and written */
 } vs_run;
 
-/* Finds the run (sequence of shapes to cache) that begins at neighbour `from` of the row, and writes its text if this
- * text is cached. Otherwise, if the run is worth caching, its text is recorded until vs_drive_run_end. Returns false,
- * with e's error set, on failure; run->until is set even then. */
+/* Finds the run (sequence of shapes whose text is cached) that begins at neighbour `from` of the row. If its text is in
+ * the cache, writes it. Otherwise, if the run is worth caching, its text is recorded until vs_drive_run_end. Returns
+ * false, with e's error set, on failure; run->until is set even then. */
 bool vs_drive_run(vs_emitter *e, const vs_run_row *row, size_t from, vs_run *run);
 void vs_drive_run_end(vs_emitter *e);
 

@@ -48,9 +48,9 @@ bool vs_drive_mark_ref(vs_emitter *e, const vs_ref *ref) {
   return vs_drive_mark(e, vs_writer_line(e->out), ref->origin);
 }
 
-/* Returns the node's rank in the order of lowering, in which a node is replaced only by nodes of lower rank. Ranks
- * follow the levels of the table of kinds. Within a level, shapes with parts rank above other shapes. The two kinds in
- * which all lowering ends have the lowest ranks. */
+/* Returns the node's rank for lowering: a node is replaced only by nodes of lower rank, so that lowering ends. Ranks
+ * follow the column `level` of the table of kinds. Within a level, shapes with parts have a higher rank than other
+ * shapes. The two kinds in which all lowering ends have the lowest ranks. */
 static int drive_rank(const vs_node *n) {
   if (n->kind == VS_POLYFACE_MESH || n->kind == VS_LINE) return 2 * VS_LEVEL_MESH;
   const vs_shape *shape = vs_shape_of(n);
@@ -59,8 +59,8 @@ static int drive_rank(const vs_node *n) {
 
 static bool drive_enter(vs_emitter *e, const vs_ref *ref, bool body);
 
-/* Returns true if every node of the tree n, which replaces another node, ranks below `rank`. Recursion is safe: the
- * trees that lower.c makes are only a few nodes deep. */
+/* Returns true if every node of the tree n has a rank below `rank`. n replaces another node. Recursion is safe: the
+ * trees that lower.c creates are only a few nodes deep. */
 static bool drive_stands_below(const vs_node *n, int rank) {
   if (vs_kind_get((vs_kind)n->kind)->level != VS_LEVEL_OPERATION) return drive_rank(n) < rank;
   for (size_t i = 0; i < n->child_count; i++)
@@ -68,7 +68,7 @@ static bool drive_stands_below(const vs_node *n, int rank) {
   return true;
 }
 
-/* Replaces the node by simpler kinds and emits these. They must have a lower rank than the node, so repeated
+/* Replaces the node by simpler kinds and emits these. They must have a lower rank than the node, so that repeated
  * replacement ends. */
 static bool drive_lower(vs_emitter *e, const vs_ref *ref) {
   drive_entry *entry = drive_find(e, ref->node);
@@ -102,7 +102,7 @@ static bool drive_lower(vs_emitter *e, const vs_ref *ref) {
     e->smooth = was_smooth;
   }
   if (made != NULL) {
-    /* the text of a template is written only once, so the simpler kinds of its node need not be kept */
+    /* the text of a template is written only once, so the simpler nodes that replace it need not be kept */
     if (entry != NULL && entry->uses > 1 && entry->definition == 0) entry->lowered = made;
     else vs_node_release(made);
   }
@@ -116,8 +116,8 @@ static size_t drive_shown(const vs_emitter *e, const vs_node *n, const drive_ent
   return count;
 }
 
-/* Computes the space in which an operation with a half-space has an effect: the bounds of the operation, if it is
- * bounded. */
+/* Sets e->reach to the space in which an operation with a half-space has an effect: the bounds of the operation if they
+ * are finite. */
 static bool drive_reach(vs_emitter *e, const vs_node *n) {
   vs_bounds b;
   vs_affine back;
@@ -129,8 +129,8 @@ static bool drive_reach(vs_emitter *e, const vs_node *n) {
   return true;
 }
 
-/* Sets the number of facets of nodes below a placement by their size after the placement, as the kernel does. Pictures
- * have more facets. */
+/* Sets the fineness for nodes below a placement, by their size after the placement, as the kernel does. Pictures are
+ * finer. */
 static void drive_place(vs_emitter *e, const vs_affine *placement) {
   e->placement = *placement;
   e->facets = vs_fineness_placed(&e->drawing_facets, placement);
@@ -219,7 +219,7 @@ bool vs_drive_walk(vs_emitter *e, const vs_ref *root, bool body) {
       e->child_index = top->silent ? e->child_index : top->shown;
       e->parent = n;
       top->shown++;
-      if (!drive_show(e, child, view, false)) return false; /* this call may reallocate the frames */
+      if (!drive_show(e, child, view, false)) return false; /* drive_show may reallocate the frames */
       continue;
     }
     drive_frame done = *top;

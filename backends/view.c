@@ -3,9 +3,9 @@
  * The directions of the view are fixed (right r, up u, forward f), and the camera must show the whole drawing. Each
  * corner of the bounds limits the position of the eye from two sides. A corner with the coordinates (x, y, z) along r,
  * u, f is inside the picture if |x - ex| <= (z + D) t. Here t is the tangent of half the angle of view, D the distance
- * of the eye from the origin of these coordinates, and ex its shift along r. The maxima of x - z t and of -x - z t over
- * the corners determine the smallest D, and its ex. The same computation for y gives another D. The camera uses the
- * greater D. */
+ * of the eye behind the origin of these coordinates, and ex its shift along r. The maxima of x - z t and of -x - z t
+ * over the corners determine the smallest D, and its ex. The same computation for y gives another D. The camera uses
+ * the greater D. */
 #include "backends/view.h"
 
 #include <math.h>
@@ -61,7 +61,7 @@ static void look_frame(vs_look *l, const vs_bounds *b, const vs_bounds *boxes, s
 
 vs_look vs_look_find(const vs_scene *scene, const vs_bounds *bounds, const vs_bounds *boxes, size_t box_count,
     double aspect) {
-  const double film = 36; /* the width of a 35 mm film in mm */
+  const double film = 36; /* width of 35 mm film in mm, by which a lens's focal length determines the field of view */
   vs_look l = { .angle = 2 * atan(film / 2 / 45) };
   vs_vec3 up = vs_v3(0, 0, 1), north = vs_v3(0, 1, 0);
   switch (scene->view) {

@@ -59,7 +59,7 @@ bool vs_put(vs_writer *w, const void *bytes, size_t count) {
   if (w->failed) return false;
   if (count == 0) return true; /* bytes may be NULL if count is 0 */
   if (!writer_counts(w, count)) return false;
-  /* a large block is written directly to the sink, unless a tap must receive a copy or lines are counted */
+  /* writes a large block directly to the sink, unless a tap must receive a copy or lines are counted */
   if (count >= VS_WRITER_ROOM / 2 && w->tap == NULL && !w->keeps_lines) {
     if (!vs_writer_flush(w)) return false;
     if (!w->sink(w->context, bytes, count)) w->failed = true;

@@ -15,9 +15,9 @@
 #include "model/characters.h"
 #include "model/vec.h"
 
-typedef bool vs_sink_fn(void *context, const void *bytes, size_t count); /* Accepts `count` bytes. Returns false on
-                                                                          * failure; the sink's context keeps the
-                                                                          * reason. */
+typedef bool vs_sink_fn(void *context, const void *bytes, size_t count); /* Function that receives `count` bytes.
+                                                                          * Returns false on failure; `context` keeps
+                                                                          * the reason. */
 
 enum { VS_WRITER_ROOM = 1 << 16, VS_NUMBER_ROOM = 32 };
 
@@ -25,17 +25,17 @@ typedef struct {
   vs_sink_fn *sink;
   void *context;
   size_t used;
-  uint64_t bytes;  /* number of bytes written up to now, including the buffered bytes */
-  uint64_t limit;  /* greatest number of bytes; 0: no limit */
+  uint64_t bytes;  /* number of bytes written so far, including the bytes in the buffer */
+  uint64_t limit;  /* greatest number of bytes that may be written; 0: no limit */
   size_t counted;  /* number of bytes at the beginning of the buffer whose newlines are already counted in `line` */
   uint32_t line;   /* number of the line at the end of the first `counted` bytes of the buffer */
-  bool failed, full; /* failed: true if a call has failed; full: true if the reason was the limit */
+  bool failed, full; /* failed: whether a call has failed; full: whether the limit was the reason */
   bool keeps_lines;  /* true if the caller uses vs_writer_line */
-  bool (*going)(void *context); /* called each time the buffer is full, to check for an interrupt. If it returns false,
-                                 * the writer fails, and the context keeps the reason. NULL: it is never called */
+  bool (*going)(void *context); /* called each time the buffer is full, to test for an interrupt. If it returns false,
+                                 * the writer fails, and `context` keeps the reason. NULL: no tests */
   void *going_context;
-  /* Function that receives a copy of the bytes that leave the buffer. It receives them from position tap_from. NULL: it
-   * is never called */
+  /* Function that receives a copy of the bytes that leave the buffer, from the byte number tap_from on. NULL: no
+   * copies */
   void (*tap)(void *context, const void *bytes, size_t count);
   void *tap_context;
   size_t tap_from;
@@ -63,20 +63,21 @@ bool vs_writer_filled(vs_writer *w, const char *end);
 
 bool vs_put(vs_writer *w, const void *bytes, size_t count); /* writes bytes of any value */
 bool vs_puts(vs_writer *w, const char *text);
-/* Writes formatted text as printf does. It is for short texts without doubles: names, integers, fixed words. Fails for
- * a text longer than 1 KB. */
+/* Writes formatted text as printf does, for short texts without doubles: names, integers, fixed words. Fails for a text
+ * longer than 1 KB. */
 bool vs_putf(vs_writer *w, const char *format, ...) __attribute__((format(printf, 2, 3)));
 bool vs_put_number(vs_writer *w, double x);
-/* writes three numbers, such as <1, 2, 3> */
+/* writes three numbers between `open` and `close`, such as <1, 2, 3> */
 bool vs_put_triple(vs_writer *w, const char *open, vs_vec3 v, const char *between, const char *close);
 bool vs_put_spaces(vs_writer *w, size_t count);
 bool vs_put_u32(vs_writer *w, uint32_t x); /* writes x in decimal */
 bool vs_put_base64(vs_writer *w, const unsigned char *bytes, size_t count); /* writes base64; the text ends in = if
                                                                              * count is not a multiple of 3 */
-/* Writes a text of the user or of a file, escaped by a function for the output's notation. */
+/* Writes a text of the user or of a file, escaped by the function `spell` for the output's notation. */
 void vs_put_spelled(vs_writer *w, vs_speller *spell, const char *text);
 void vs_put_xml(vs_writer *w, const char *text); /* escapes text for XML and HTML, including attributes */
-/* These functions write little-endian values for binary formats. Each returns the position after the written bytes. */
+/* vs_le_u32 and the next functions write little-endian values for binary formats. Each returns the position after the
+ * written bytes. */
 static inline unsigned char *vs_le_u32(unsigned char *to, uint32_t x) {
   to[0] = (unsigned char)x, to[1] = (unsigned char)(x >> 8), to[2] = (unsigned char)(x >> 16),
   to[3] = (unsigned char)(x >> 24);

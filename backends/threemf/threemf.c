@@ -1,7 +1,7 @@
 /* Writes .3mf packages (3MF core 1.3): the drawing's solids as closed meshes with a material for each triangle, in a
- * zip made by libzip.
+ * zip file that libzip writes.
  *
- * Every distinct part is an object; a further object has the part's copies as components. Programs disagree about
+ * Every distinct part is an object; one more object has the parts' copies as components. Programs disagree about
  * placements that mirror. A mirrored copy is therefore a placement, without mirroring, of a mirrored mesh (twin). The
  * model's XML is collected and compressed in memory, and then written: a zip's directory is at its end, and libzip
  * seeks back and forth. */
@@ -74,7 +74,7 @@ static void model_triangle(vs_emitter *e, const vs_solid_copies *c, const vs_mes
   vs_puts(w, "\"/>\n");
 }
 
-/* Returns the layer of all triangles of a mesh, or NULL if they have several or none. */
+/* Returns the layer that all triangles of the mesh have, or NULL if they have several layers or none. */
 static const char *model_layer(const vs_solid_copies *c, const vs_mesh *m) {
   const char *layer = NULL;
   for (size_t i = 0; i < m->triangle_count; i++) {
@@ -86,8 +86,8 @@ static const char *model_layer(const vs_solid_copies *c, const vs_mesh *m) {
   return layer;
 }
 
-/* Writes a mesh as an object, which has the name of its layer. twin: true if the mesh is mirrored in x and the order of
- * its triangles' corners is reversed. */
+/* Writes a mesh as an object, named after its layer. twin: whether the mesh is mirrored in x, and the order of its
+ * triangles' corners reversed. */
 static void model_object(vs_emitter *e, const vs_solid_copies *c, size_t mesh, size_t id, bool twin) {
   const vs_mesh *m = &c->meshes.meshes[mesh];
   vs_writer *w = e->out;
@@ -127,8 +127,8 @@ static void model_component(vs_emitter *e, const vs_kernel_copy *copy) {
   vs_puts(e->out, "\"/>\n");
 }
 
-/* Writes the model. plain[i]: whether mesh i has a placement that does not mirror; twins[i]: whether it has a placement
- * that mirrors. Both arrays have mesh_count items, which are all false at the call. */
+/* Writes the model. plain: array for whether each mesh has a placement that does not mirror; twins: array for whether
+ * each mesh has a placement that mirrors. Both arrays have mesh_count items, which are all false before the call. */
 static bool model_write(vs_emitter *e, const vs_solid_copies *c, bool *plain, bool *twins) {
   const vs_kernel_copies *k = &c->meshes;
   vs_writer *w = e->out;
@@ -245,8 +245,7 @@ static bool threemf_copies(vs_emitter *e, const vs_solid_copies *c) {
   zip_t *zip = package != NULL ? z.zip_open_from_source(package, ZIP_TRUNCATE, NULL) : NULL;
   if (ok && zip == NULL) ok = vs_emit_no_memory(e);
   if (zip != NULL) {
-    z.zip_source_keep(package); /* adds a reference to the source first, because closing the archive releases a
-                                 * reference */
+    z.zip_source_keep(package); /* adds a reference to the source, because closing the archive releases one */
     ok = package_close(&z, zip, &model) ? package_copy(e, &z, package)
          : e->error->kind == VS_ERROR_INTERRUPT
              ? false

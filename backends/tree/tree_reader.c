@@ -1,6 +1,6 @@
-/* Reads tree dumps. The table of kinds determines the text, as it does when a dump is written: a node's fields come in
- * the table's order, then its children. Nodes whose list is not closed yet are on a separate stack, so deep trees need
- * memory, but no space on the C stack. */
+/* Reads tree dumps. The table of kinds determines the text, as it does when a dump is written: a node's fields are in
+ * the table's order, then its children follow. Nodes whose list is not closed yet are on an explicit stack, so deep
+ * trees need memory, but no space on the C stack. */
 #include "backends/tree/tree_reader.h"
 #include "model/store/array.h"
 
@@ -27,7 +27,7 @@ typedef struct {
   size_t open_count, open_room;
   vs_ref *children;        /* complete children of the nodes that are still being read */
   size_t child_count, child_room;
-  vs_ref *templates;       /* templates[n - 1]: template tn */
+  vs_ref *templates;       /* templates[n - 1]: the node that the dump defines as tn */
   size_t template_count, template_room;
 } tree_reader;
 
@@ -83,7 +83,7 @@ static bool tree_numbers(tree_reader *r, double *out, size_t count) {
 
 static bool tree_string(tree_reader *r, const char **out) {
   if (tree_peek(r) != '"') return tree_fail(r, "a string is expected here");
-  char *text = r->copy + (r->at - r->copy); /* the text is unescaped in place, because the result is never longer */
+  char *text = r->copy + (r->at - r->copy); /* replaces escapes in place, because the result is never longer */
   size_t length = 0;
   for (r->at++; r->at < r->end && *r->at != '"'; r->at++) {
     char c = *r->at;
@@ -249,7 +249,7 @@ static bool tree_end_node(tree_reader *r) {
   return made != NULL ? tree_push(r, (vs_ref){ made, origin }) : tree_no_memory(r);
 }
 
-/* Reads a node with its children. The node is then the last of r->children. */
+/* Reads a node with its children, and appends the node to r->children. */
 static bool tree_node(tree_reader *r) {
   size_t outside = r->open_count;
   do {

@@ -5,8 +5,8 @@
 
 #include "model/scene.h"
 
-/* Adds the text's objects to the drawing of the scene, whose store makes the nodes. Returns false on failure: the error
- * contains the line, and the scene may have received a part of the objects. */
+/* Adds the objects in the text to the drawing of the scene. The scene's store allocates the nodes. Returns false on
+ * failure: the error contains the line, and the scene may have received a part of the objects. */
 bool vs_tree_read(vs_scene *scene, const char *text, size_t length, vs_error *e);
 
 #endif

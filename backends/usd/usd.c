@@ -1,9 +1,10 @@
-/* Writes .usda (Universal Scene Description, as text): shapes as USD's own, other objects as meshes and linear curves,
- * each template as a class that its places inherit as instances.
+/* Writes .usda (Universal Scene Description, as text): shapes as USD's own, other objects as meshes and linear curves.
+ * Each template is a class, which its places inherit as instances.
  *
  * A prim is a node of USD's tree. Its name is a word and unique among its siblings: the letters of a layer, or p, and a
- * running number. A material is bound by a path; a part without one inherits the binding of the prims around it. Only
- * inherits, not references, keep paths that lead out of the class. */
+ * running number. A material is bound to a prim by a path; a prim without a material inherits the binding of the prims
+ * around it. The places of a template inherit the class instead of referencing it, because only then do paths that lead
+ * out of the class remain valid. */
 #include <math.h>
 #include <stdio.h>
 
@@ -13,7 +14,7 @@
 #include "geometry/shapes/unit_forms.h"
 
 typedef struct {
-  unsigned prims; /* number of prims up to now */
+  unsigned prims; /* number of prims written so far */
   size_t depth;   /* nesting of prims, for indentation */
 } usd;
 
@@ -45,7 +46,8 @@ static void put_name(vs_emitter *e, const char *text) {
   vs_putf(e->out, "%s%u\"", *text ? "_" : "p", ++u->prims);
 }
 
-/* The metadata of a prim: the name that programs show, the template that it inherits, and whether it has a material. */
+/* The metadata of a prim. shown: the name that programs show; template: number of the template that it inherits, or 0;
+ * bound: whether it has a material. */
 typedef struct { const char *shown; uint32_t template; bool bound; } prim_notes;
 
 static void put_notes(vs_emitter *e, prim_notes notes) {
@@ -74,7 +76,7 @@ static void put_notes(vs_emitter *e, prim_notes notes) {
   vs_puts(w, ")");
 }
 
-/* Begins a prim: writes its head up to the brace. name: the letters of its name. */
+/* Begins a prim: writes its text up to the opening brace. name: letters with which the prim's name begins. */
 static void begin_prim(vs_emitter *e, const char *type, const char *name, prim_notes notes) {
   usd *u = e->state;
   put_indent(e);
@@ -100,7 +102,7 @@ static void put_binding(vs_emitter *e, const vs_material *m) {
   vs_puts(e->out, ">\n");
 }
 
-/* Writes a placement. USD's points are rows, so that the matrix is transposed. */
+/* Writes a placement. USD's matrices multiply row vectors, so the matrix is transposed. */
 static void put_place(vs_emitter *e, const vs_affine *place) {
   vs_writer *w = e->out;
   if (vs_affine_is_identity(place)) return;
@@ -179,7 +181,7 @@ static bool put_normals(vs_emitter *e, const vs_solid *solid) {
   return !w->failed;
 }
 
-/* Writes the faces of each material as a subset. Parts without a material have the binding of the mesh. */
+/* Writes the faces of each material as a subset of the mesh. Faces without a material have the material of the mesh. */
 static bool put_subsets(vs_emitter *e, const vs_solid *solid) {
   const vs_mesh *m = &solid->mesh;
   vs_writer *w = e->out;
@@ -295,8 +297,8 @@ static vs_emit_status usd_line(vs_emitter *e, const vs_ref *ref, vs_phase phase)
   return e->out->failed ? VS_FAILED : VS_EMITTED;
 }
 
-/* Does nothing for placements and paint, because the emitter already contains them. A layer is a prim around its
- * objects. */
+/* Does nothing for placements and paint, because the emitter contains them while shapes are written. A layer is a prim
+ * around its objects. */
 static vs_emit_status usd_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   if (ref->node->kind != VS_LAYER) return VS_EMITTED;
   const char *name = VS_AS(layer, ref->node)->name;

@@ -1,6 +1,6 @@
-/* Converts objects to triangles that no Transform can place ("baking"). A use of a template that shears or mirrors
- * becomes triangle sets, one for each material. A baked template uses only baked templates. Also finds the paints of
- * templates. */
+/* Converts objects that no Transform can place to triangles ("baking"). A use of a template that shears or mirrors
+ * becomes triangle sets, one for each material. A baked template uses only baked templates. Also finds the paints
+ * (materials) of templates. */
 #include "backends/x3d/bake.h"
 
 #include "backends/x3d/x3d_collect.h"
@@ -42,7 +42,7 @@ static bool bake_items(vs_emitter *e, vs_x3d_group *g) {
   return true;
 }
 
-/* Adds a baked template's triangles to the group g, moved to the place where the template is used. */
+/* Adds a baked template's triangles to the group g, mapped by the placement of `use`. */
 static bool bake_use(vs_emitter *e, vs_x3d_group *g, const vs_x3d_placed *use) {
   const vs_x3d *x = e->state;
   const vs_x3d_batch *from = x->groups[use->group].batches;
@@ -97,8 +97,8 @@ static bool bake_paint(vs_emitter *e, vs_x3d_group *g, uint32_t paint) {
   return true;
 }
 
-/* Gives each template the paints of its uses. Visits users before the templates that they use: the drawing, then the
- * templates from the last to the first. */
+/* Determines the paints with which each template is used. Visits the drawing first, then the templates from the last to
+ * the first, so that a template comes after all groups that use it. */
 static bool bake_paints(vs_emitter *e) {
   vs_x3d *x = e->state;
   for (size_t k = x->group_count; k > 0; k--) {

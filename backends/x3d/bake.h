@@ -1,10 +1,10 @@
-/* Declares baking: which groups of an X3D file become triangles. */
+/* Declares baking: the conversion of groups of an X3D file to triangles. */
 #ifndef VS_BACKENDS_X3D_BAKE_H
 #define VS_BACKENDS_X3D_BAKE_H
 
 #include "backends/x3d/x3d.h"
 
-/* Converts to triangles what no Transform can place, and determines the paints of templates. */
+/* Converts objects that no Transform can place to triangles, and determines the paints of templates. */
 bool vs_x3d_settle(vs_emitter *e);
 
 #endif

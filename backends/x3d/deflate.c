@@ -1,5 +1,5 @@
 /* Compresses bytes with zlib. The packed scene of a page compresses well, because equal parts differ only by their
- * places. The format is zlib's (RFC 1950), so every platform can expand it; backends/page/packed.js does this. */
+ * places. The format is zlib's (RFC 1950), which every platform can expand; backends/page/packed.js does this. */
 #include "backends/x3d/deflate.h"
 
 #include <stddef.h>
@@ -29,7 +29,7 @@ static bool zlib_load(vs_deflate *d, vs_error *e) {
   return vs_dynamic_load(VS_LIBRARY_ZLIB, "writing .html", names, sizeof names / sizeof *names, d, e);
 }
 
-/* zlib's memory comes from the store, so that a limit of memory includes it. A head before each block contains the
+/* zlib's memory comes from the store, so that the memory limit includes it. A head before each block contains the
  * block's size; its 16 bytes keep the alignment of malloc. */
 enum { BLOCK_HEAD = 16 };
 

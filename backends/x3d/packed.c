@@ -52,10 +52,10 @@ typedef struct {
   size_t part_count, part_room;
   packed_open *open;           /* operations around the current node */
   size_t open_count, open_room;
-  vs_vec3 middle;              /* centre of the drawing, relative to which positions are written */
-  bool inside;                 /* true if a template is being written, in coordinates of its own */
+  vs_vec3 middle;              /* centre of the drawing; positions are written relative to it */
+  bool inside;                 /* whether a template is being written, in coordinates of its own */
   bool steps;                  /* true if the notation is x3d-steps */
-  bool result;                 /* true if the result of an operation is being written */
+  bool result;                 /* whether the result of an operation is being written */
   uint32_t geometry_count;
 } packed;
 
@@ -151,8 +151,8 @@ static void packed_words_begin(vs_emitter *e, const char *name, size_t count, in
 
 /* ---- origins ---- */
 
-/* Returns the number of an origin from 1, or 0 if there is no origin or memory is out. A call of the program gets a
- * smaller number than the calls inside it. */
+/* Returns the number of an origin, from 1, or 0 if there is no origin or memory is out. The origin of a call in the
+ * program gets a smaller number than those of the calls inside it. */
 static uint32_t packed_origin(vs_emitter *e, const vs_origin *origin) {
   packed *p = e->state;
   while (origin != NULL) {
@@ -354,7 +354,7 @@ void vs_packed_close(vs_emitter *e) {
 /* A solid that becomes geometries, one for each part with its own material, layer or origin. */
 typedef struct {
   vs_shaded_solid shaded;
-  uint32_t *same;              /* same[t]: the first tag that has the material, layer and origin of tag t */
+  uint32_t *same;              /* same[t]: the first tag with the same material, layer and origin as tag t */
   uint32_t *used;              /* used[p]: number of triangles in part p */
   size_t parts;                /* number of parts, at least 1 */
 } packed_making;
@@ -411,11 +411,11 @@ static void packed_triangles(vs_emitter *e, packed_making *from, uint32_t part, 
   packed_end(e);
 }
 
-/* Sets same[t] to the first tag that has the material, layer and origin of tag t. */
+/* Sets same[t] to the first tag with the same material, layer and origin as tag t. */
 static void packed_same(const vs_solid *m, uint32_t *same) {
   for (size_t i = 0; i < m->part_count; i++) {
     const vs_solid_part *a = &m->parts[i];
-    size_t first = 0, most = i < 256 ? i : 0; /* only the first 256 parts of a shape are compared with earlier parts */
+    size_t first = 0, most = i < 256 ? i : 0; /* compares only the first 256 parts of a shape with earlier parts */
     while (first < most) {
       const vs_solid_part *b = &m->parts[first];
       if (a->material == b->material && a->layer == b->layer && a->leaf.origin == b->leaf.origin) break;
@@ -452,7 +452,7 @@ static bool packed_count_parts(vs_emitter *e, packed_making *from) {
   return true;
 }
 
-/* Writes the geometries of a solid without showing them: each is in a Group that viewers do not draw. */
+/* Writes the geometries of a solid into Groups that viewers do not draw; later Shapes use them. */
 static bool packed_add_solid(vs_emitter *e, const vs_solid *m, const vs_affine *home, double crease, bool closed) {
   const packed *p = e->state;
   packed_making from = { .parts = 0 };
@@ -523,7 +523,7 @@ static void packed_marks(vs_emitter *e, const vs_ref *ref, uint32_t paint, const
   if (ref != NULL) packed_text(e, "kind", vs_kind_get(ref->node->kind)->name);
 }
 
-/* Writes a use of shape `number`, which was already written, at `place` within e's placement. */
+/* Writes a use of shape `number`, which was already written, mapped by `place` and then by e->placement. */
 static bool packed_put(vs_emitter *e, const vs_ref *ref, size_t number, const vs_affine *place) {
   const packed *p = e->state;
   const packed_shape shape = p->made[number];
@@ -626,8 +626,8 @@ static vs_emit_status packed_operation(vs_emitter *e, const vs_ref *ref, vs_phas
   return e->out->failed ? VS_FAILED : VS_EMITTED;
 }
 
-/* For a placement or paint, writes nothing, because the emitter already contains it. An operation becomes a Group if it
- * adds a layer or has its own origin. */
+/* Writes nothing for a placement or paint, because the emitter contains them while shapes are written. An operation
+ * becomes a Group if it adds a layer or has its own origin. */
 vs_emit_status vs_packed_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   packed *p = e->state;
   if (phase == VS_PHASE_LEAVE) return packed_close_group(e);

@@ -4,7 +4,7 @@
 
 #include "backends/backend.h"
 
-bool vs_packed_open(vs_emitter *e); /* Makes e->state and writes the head of the scene to e->out. */
+bool vs_packed_open(vs_emitter *e); /* Allocates e->state and writes the head of the scene to e->out. */
 bool vs_packed_finish(vs_emitter *e); /* Writes the end of the scene. */
 void vs_packed_close(vs_emitter *e);
 vs_emit_fn vs_packed_leaf, vs_packed_line, vs_packed_through, vs_packed_boolean;

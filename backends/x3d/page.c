@@ -1,7 +1,7 @@
 /* Writes the web page: replaces the marks in backends/page/page.html. The page contains the viewer and the scene.
  *
  * A mark is <!--NAME-->. The texts that replace marks are in the library: the Makefile bundles backends/page/ with
- * three.js into it. The scene is packed (packed.c), compressed (deflate.c) and written in base 64, so no text of the
+ * three.js into it. The scene is packed (packed.c), compressed (deflate.c) and written in base64, so no text of the
  * user is ever read as HTML or script. */
 #include <string.h>
 
@@ -39,7 +39,8 @@ static bool page_encode(void *context, const void *bytes, size_t count) {
   return !c->outer->failed;
 }
 
-/* Writes code for <script> or <style>. Their contents have no escapes, but a </ in a string would end them. */
+/* Writes code between <script> or <style> tags. Such code has no escapes, but a </ in a string would end it; the
+ * function prevents this. */
 static void page_code(vs_writer *w, const char *from, const char *end) {
   while (from < end) {
     const char *at = from;
@@ -55,8 +56,8 @@ static void page_code(vs_writer *w, const char *from, const char *end) {
   }
 }
 
-/* Writes the page's text from *at to the mark of the scene, or to the page's end, and replaces the other marks on the
- * way. Returns the position after the written text. */
+/* Writes the page's text from `at` to the mark of the scene, or to the page's end, and replaces other marks in between.
+ * Returns the position after the written text. */
 static const char *page_until_scene(vs_emitter *e, vs_writer *w, const char *at) {
   const char *end = vs_asset_page_html_end;
   while (at < end) {
@@ -92,7 +93,7 @@ static bool page_begin(vs_emitter *e) {
   vs_writer_init(&c->inner, vs_deflate_put, c->deflate);
   e->out = &c->inner;
   bool ok = c->deflate != NULL && vs_packed_open(e);
-  if (c->deflate != NULL && e->state != NULL) return ok; /* if all parts were made, the caller releases them by
+  if (c->deflate != NULL && e->state != NULL) return ok; /* if all parts of *c were created, the caller releases them by
                                                           * page_close */
   vs_deflate_end(c->deflate);
   e->out = c->outer;
@@ -101,7 +102,7 @@ static bool page_begin(vs_emitter *e) {
 }
 
 static bool page_end(vs_emitter *e) {
-  page_coder *c = (page_coder *)e->out; /* e->out is the first member of page_coder */
+  page_coder *c = (page_coder *)e->out; /* e->out points to the first member of a page_coder */
   bool ok = vs_packed_finish(e) && vs_writer_flush(&c->inner) && vs_deflate_finish(c->deflate) &&
             vs_writer_flush(&c->deflated);
   if (c->left_count > 0) {

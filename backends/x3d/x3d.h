@@ -1,11 +1,11 @@
 /* Contains the declarations for the files of the X3D back-end. The file x3d_collect.c converts the drawing to groups of
- * shapes, and bake.c to triangles where X3D cannot place a shape. The file x3d_scene.c writes the contents of the file,
- * x3d_notation.c its two notations. Two more files do not use these groups: packed.c writes the tree as bytes for
+ * shapes; bake.c converts shapes that X3D cannot place to triangles. The file x3d_scene.c writes the contents of the
+ * file, x3d_notation.c its two notations. Two more files do not use these groups: packed.c writes the tree as bytes for
  * VisualScheme's own viewer, and page.c the web page around it.
  *
- * Everything is collected first. Boxes, spheres, cylinders and cones are nodes, however many there are: other programs
- * read them as such. All other objects become one triangle set and one line set for each material. A template is a
- * group that the file contains once (DEF) and uses (USE). */
+ * Everything is collected before the file is written. Boxes, spheres, cylinders and cones are always nodes of their
+ * own: other programs read them as such. All other objects become one triangle set and one line set for each material.
+ * A template is a group that the file contains once (DEF) and refers to (USE). */
 #ifndef VS_BACKENDS_X3D_X3D_H
 #define VS_BACKENDS_X3D_X3D_H
 
@@ -26,8 +26,8 @@ typedef struct {
 typedef struct { uint32_t group, paint; vs_affine placement; } vs_x3d_placed; /* a use of a template: number of the
                                                                                * template, paint and placement */
 
-/* A batch: all triangles and lines of a single material. In batch number 0 they have no material. In a template, they
- * get the paint of the template's use. */
+/* A batch: all triangles and lines of a single material in a group. Those in batch number 0 have no material; in a
+ * template, they get the paint of the template's use. */
 typedef struct {
   vs_vec3 *vertices, *normals; /* positions and unit normals of the vertices of triangles; the arrays have equal
                                 * lengths */
@@ -48,9 +48,9 @@ typedef struct {
   size_t item_count, item_room;
   vs_x3d_placed *uses;
   size_t use_count, use_room;
-  vs_x3d_batch *batches;       /* a batch for each material and one for no material; NULL: the group has no triangles or
-                                * lines */
-  bool bare;                   /* true if some part of the group has the paint of the group's use */
+  vs_x3d_batch *batches;       /* batches[i]: the triangles and lines of material i, or of no material for i = 0; NULL:
+                                * the group has no triangles or lines */
+  bool bare;                   /* whether a part of the group has no material, and gets the paint of the group's use */
   uint32_t *paints;            /* paints with which the group is used; only 0 if the group is not bare */
   size_t paint_count, paint_room;
 } vs_x3d_group;
@@ -59,9 +59,9 @@ typedef struct {
   vs_x3d_notation notation;
   vs_x3d_group *groups;
   size_t group_count, group_room, group; /* group: index of the group that is being collected */
-  size_t batch_count;          /* number of batches of each group that has batches */
+  size_t batch_count;          /* length of the array `batches` of each group that has one */
   uint64_t collected;          /* number of triangles in all batches */
-  /* x3d_notation.c uses these two members: the depth of nesting, and whether a start tag is open. */
+  /* Members that x3d_notation.c uses: the depth of nesting, and whether a start tag is open. */
   size_t depth;
   bool in_tag;
 } vs_x3d;

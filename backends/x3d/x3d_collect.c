@@ -83,8 +83,8 @@ static size_t collect_paint(const vs_emitter *e, const vs_solid *m, size_t part,
                                                                  : inherited;
 }
 
-/* Counts the triangles that are collected. More triangles may be collected than written, because templates are written
- * once. The limit is that of combined solids. */
+/* Counts the triangles that are collected. More triangles may be collected than written, because the triangles of a
+ * template are written once. The limit is that of combined solids. */
 static bool collect_count(vs_emitter *e, size_t count) {
   vs_x3d *x = e->state;
   size_t limit = e->job->limits.mesh_triangles;
@@ -112,7 +112,8 @@ static bool collect_triangle(vs_emitter *e, vs_x3d_batch *b, const vs_shaded_sol
   return true;
 }
 
-/* Adds the triangles that have this paint. inherited: paint of the parts without a material. */
+/* Adds the triangles of the solid whose material has the number `paint`. inherited: material number for parts without a
+ * material. */
 static bool collect_painted(vs_emitter *e, vs_x3d_batch *b, vs_shaded_solid *s, size_t paint, uint32_t inherited) {
   const vs_mesh *mesh = &s->solid->mesh;
   size_t parts = s->solid->part_count > 0 ? s->solid->part_count : 1;
@@ -181,7 +182,8 @@ vs_emit_status vs_x3d_leaf(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   vs_x3d_group *g = collect_group(e);
   vs_x3d_form form = VS_X3D_BOX;
   vs_affine place;
-  /* A form with a picture must become triangles. A template may get any paint, so all materials are checked. */
+  /* A form whose material has a picture must become triangles. A template may get any paint, so all materials are
+   * tested. */
   for (size_t i = vs_emit_material_count(e); i > 0; i--)
     if (vs_emit_material_at(e, i)->pattern.picture != NULL) return collect_here(e, ref) ? VS_EMITTED : VS_FAILED;
   if (!vs_x3d_form_of(e, ref->node, &form, &place)) return collect_here(e, ref) ? VS_EMITTED : VS_FAILED;
@@ -213,8 +215,8 @@ vs_emit_status vs_x3d_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   return VS_EMITTED;
 }
 
-/* Writes nothing for a placement, paint or union: the emitter already contains the placement and the paint, and a
- * union's parts are independent. */
+/* Writes nothing for a placement, paint or union: the emitter contains placement and paint while shapes are written,
+ * and the parts of a union are written separately. */
 vs_emit_status vs_x3d_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)e, (void)ref, (void)phase;
   return VS_EMITTED;

@@ -13,7 +13,7 @@ void vs_x3d_end(vs_emitter *e, const char *type, bool had_children);
 void vs_x3d_field(vs_emitter *e, const char *name, bool many); /* begins a field; its value follows, and then
                                                                 * vs_x3d_field_end */
 void vs_x3d_field_end(vs_emitter *e, bool many);
-/* Writes a field whose value has the same spelling in both notations: numbers, true, false. */
+/* Writes a field whose value is the same text in both notations: numbers, true, false. */
 void vs_x3d_words(vs_emitter *e, const char *name, const char *value);
 void vs_x3d_text(vs_emitter *e, const char *name, const char *value, bool many);   /* writes a field with a string */
 void vs_x3d_number(vs_emitter *e, const char *name, double value);

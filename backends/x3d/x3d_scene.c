@@ -81,8 +81,8 @@ static void scene_appearance(vs_emitter *e, size_t number, bool *said, bool line
 
 /* ---- shapes ---- */
 
-/* Returns true if the fields of the form can express these half sizes. Otherwise the Transform's scale contains the
- * half sizes, and the form has unit size. */
+/* Returns true if the fields of the form can express these half sizes. Otherwise the scale of the Transform expresses
+ * them, and the form has unit size. */
 static bool scene_fits(vs_x3d_form form, vs_vec3 size) {
   bool even = fabs(size.x - size.z) < 1e-9 * size.x;
   return form == VS_X3D_BOX || (even && (form != VS_X3D_SPHERE || fabs(size.x - size.y) < 1e-9 * size.x));
@@ -104,7 +104,8 @@ static void scene_form(vs_emitter *e, vs_x3d_form form, vs_vec3 size) {
   vs_x3d_end(e, words[form], false);
 }
 
-/* Begins a Transform with the placement. If the form has no fields for its `size`, the Transform also scales by it. */
+/* Begins a Transform with the placement. scaled: the Transform also scales by `size`, because the form has no fields
+ * for it. */
 static void scene_place(vs_emitter *e, const vs_affine *place, vs_vec3 size, bool scaled) {
   vs_vec3 at, unread, axis;
   double turn[4];
@@ -150,8 +151,8 @@ static void scene_wrap(vs_writer *w, size_t item, size_t per_line) {
   if (item > 0) vs_puts(w, item % per_line == 0 ? "\n" : " ");
 }
 
-/* A node that contains points. field: the parent's field that contains it; node: its name; many: its own field for the
- * points; steps: rounding of the points. */
+/* A node that contains points. field: the parent's field that contains the node; node: the node's name; many: the
+ * node's own field for the points; steps: rounding of the points. */
 typedef struct { const char *field, *node, *many; double steps; /* number of rounding steps in a unit */ } scene_cloud;
 
 static void scene_points(vs_emitter *e, const scene_cloud *cloud, const vs_vec3 *at, size_t count) {
@@ -176,8 +177,7 @@ static void scene_corners(vs_emitter *e, const vs_vec3 *at, size_t count) {
   scene_points(e, &(scene_cloud){ "coord", "Coordinate", "point", scene_steps(e) }, at, count);
 }
 
-/* The name of a geometry that several Shapes use. again: false for the first of these Shapes, which writes the
- * geometry. */
+/* The name of a geometry that several Shapes use. again: whether an earlier Shape has already written the geometry. */
 typedef struct { char name[40]; bool again; } scene_name;
 
 static bool scene_begin_shape(vs_emitter *e, size_t number, bool *said, bool line, const char *type,
@@ -290,8 +290,8 @@ static void scene_use(vs_emitter *e, const vs_x3d_placed *use, uint32_t paint) {
   vs_x3d_end(e, "Transform", true);
 }
 
-/* Writes the children of a group. Children without a material get `paint`. variant: number of earlier copies of the
- * group in other paints. */
+/* Writes the children of a group. Children without a material get `paint`. variant: number of copies of the group in
+ * other paints that were written before. */
 static void scene_group(vs_emitter *e, size_t group, uint32_t paint, size_t variant, bool *said) {
   const vs_x3d *x = e->state;
   const vs_x3d_group *g = &x->groups[group];
@@ -311,7 +311,7 @@ static void scene_group(vs_emitter *e, size_t group, uint32_t paint, size_t vari
   }
 }
 
-/* Writes the templates that are used, without showing them. Each precedes the templates that use it. */
+/* Writes the templates, without showing them. Each precedes the templates that use it. */
 static void scene_templates(vs_emitter *e, bool *said) {
   const vs_x3d *x = e->state;
   bool any = false;
