@@ -40,8 +40,8 @@ static bool drive_op_vain(const vs_emitter *e, const drive_entry *entry) {
   return one && (n->child_count == 0 || entry->first_vain);
 }
 
-/* Adds the data of a child to its parent's entry in the plan, after the child's own children were visited. child:
- * the child's entry, or NULL if it has none. vain: whether the child draws nothing. first: whether it is the first
+/* Adds the data of a child to its parent's entry in the plan, after the child's own children were visited. `child` is
+ * the child's entry, or NULL if it has none; `vain`: whether the child draws nothing; `first`: whether it is the first
  * child. */
 static void drive_plan_add(drive_entry *parent, const drive_entry *child, bool vain, bool first) {
   uint32_t height = child == NULL || child->cut ? 1 : child->height;

@@ -18,8 +18,9 @@ typedef struct {
                                * centre; equal angles then have equal lengths */
 } vs_look;
 
-/* Returns the look (camera) that shows the whole drawing. aspect: width of the picture divided by its height. bounds:
- * bounds of the drawing, on whose centre the look is centred. boxes: bounds of its parts, at least one box. */
+/* Returns the look (camera) that shows the whole drawing. The aspect is the width of the picture divided by its height.
+ * The look is centred on the centre of `bounds`, the bounds of the drawing. The `boxes` are the bounds of its parts, at
+ * least one. */
 vs_look vs_look_find(const vs_scene *scene, const vs_bounds *bounds, const vs_bounds *boxes, size_t box_count,
     double aspect);
 /* Converts a point of the model to coordinates of the view: x to the right, y up, z away from the viewer. In a

@@ -34,7 +34,7 @@ typedef struct {
   bool (*going)(void *context); /* called each time the buffer is full, to test for an interrupt. If it returns false,
                                  * the writer fails, and `context` keeps the reason. NULL: no tests */
   void *going_context;
-  /* Function that receives a copy of the bytes that leave the buffer, from the byte number tap_from on. NULL: no
+  /* Function that receives a copy of the bytes that leave the buffer, beginning with byte number tap_from. NULL: no
    * copies */
   void (*tap)(void *context, const void *bytes, size_t count);
   void *tap_context;

@@ -12,7 +12,7 @@ typedef struct vs_args vs_args;
 /* Callback for long computations; vm is the vs_scheme. Returns true to continue. On an interrupt, sets the error and
  * returns false. */
 bool vs_bind_keep_going(void *vm, double done);
-/* Replaces sections, shadows and edges in argument i by the curves and regions that they stand for. */
+/* Replaces sections, shadows and edges in argument i by the curves and regions that they represent. */
 vs_status vs_bind_resolve(vs_args *f, int i);
 /* Sets *out to the bounds that (bounding-box o) returns for argument i. The argument must be finite, and its sections
  * and shadows computed. If it fails, sets the error and returns false. */

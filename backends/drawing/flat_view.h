@@ -45,7 +45,7 @@ typedef struct {
   bool *labelled;         /* labelled[i]: whether the scene's note i is a label whose position is visible in the view;
                            * NULL: there are no such labels */
   /* Position on the sheet, set by sheet.c: a point of the view has the position at + (point - low) * mm, in
-   * millimetres. mm: millimetres on paper for a model unit. scale: number n of the scale 1:n. */
+   * millimetres. The factor mm is the number of millimetres on paper for a model unit; scale is n for the scale 1:n. */
   double mm, scale;
   vs_sheet_point at;
   double title;           /* height of the title's base line on the sheet, in mm */

@@ -64,8 +64,8 @@ static bool cross_loops(const hatching *h) {
   return ok;
 }
 
-/* Draws the parts of hatch line i inside the area: from its first intersection with the border to the second, from the
- * third to the fourth, and so on. Omits very short parts. */
+/* Draws the parts of hatch line i inside the area: from each odd intersection with the border to the next intersection.
+ * Omits very short parts. */
 static bool draw_line(const hatching *h, size_t i) {
   const crossings *row = &h->lines[i];
   double c = h->cosine, n = h->sine, off = (h->begin + (double)i) * h->spacing;

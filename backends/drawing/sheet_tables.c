@@ -5,8 +5,9 @@
 #include "backends/drawing/notes.h"
 #include "backends/drawing/sheet_tables.h"
 
-/* Lengths in mm. cap, title_cap: heights of capitals in cells and in the title; row, title_row: height of a row, and of
- * the title with its space; side: space at both sides of a cell's text; apart: distance between tables. */
+/* Lengths in mm. For cells: cap is the height of capitals, row that of a row, side the space at both sides of a text.
+ * For a title: title_cap is the height of capitals, title_row that of the title with its space. The distance between
+ * tables is `apart`. */
 static const double cap = 2, title_cap = 2.5, row = 4.6, title_row = 6, side = 1.6, apart = 6;
 
 static const char *cell(const vs_scene_table *t, size_t r, size_t c) { return t->cells[r * t->columns + c]; }

@@ -121,9 +121,9 @@ static bool gltf_is_edge(const vs_affine *place, const vs_mesh *m, const uint32_
          memcmp(at[2], at[0], sizeof at[0]) == 0;
 }
 
-/* Adds a triangle with texture coordinates. It has vertices of its own, because the picture may end at its edges.
- * there: map from the vertices to the drawing, along whose axes pictures are placed. p: primitive whose first such
- * triangle begins its texture coordinates. */
+/* Adds a triangle with texture coordinates. It has vertices of its own, because the picture may end at its edges. The
+ * map `there` leads from the vertices to the drawing, along whose axes pictures are placed. The first such triangle of
+ * the primitive p begins its texture coordinates. */
 static bool gltf_pictured(vs_emitter *e, vs_gltf_primitive *p, const vs_vec3 at[3], const vs_vec3 normals[3],
                           const vs_affine *there, const vs_material *m) {
   vs_gltf *g = e->state;

@@ -214,8 +214,8 @@ static void pov_sky_image(vs_emitter *e) {
   vs_puts(w, " map_type 1 interpolate 2 } rotate x*90 rotate -z*90 }\n}\n");
 }
 
-/* Returns true for a plain model, for which the program has set no ground, sky, lamps or fog. vs then adds a pale
- * ground at the model's lowest point, unless the eye is below it, where the ground would hide the model. */
+/* Returns true for a plain model, for which the program has set no ground, sky, lamps or fog. The program vs then adds
+ * a pale ground at the model's lowest point, unless the eye is below it, where the ground would hide the model. */
 static bool pov_is_studio(const vs_emitter *e, const vs_look *l) {
   const vs_scene *s = e->scene;
   bool above = l->parallel ? l->forward.z < -0.01 : l->eye.z > e->bounds.min.z * e->unit;
@@ -387,9 +387,9 @@ static void pov_ground(vs_emitter *e, const vs_look *l, double diagonal, double 
  *
  * count: a room with a small window needs many rays, few of which go through the window. error_bound 1 uses samples
  * within their error, and nearest_count many at a time. This costs less than more samples, and leaves no blotches on
- * walls. minimum_reuse, a fraction of the picture's width, prevents a sample for each pixel of outdoor detail: the
- * example of the station takes a third of the time. adc_bailout ends a ray that carries less than a tenth of the light,
- * such as reflections of panes: this again halves the station's time.
+ * walls. The setting minimum_reuse, a fraction of the picture's width, prevents a sample for each pixel of outdoor
+ * detail: the example of the station takes a third of the time. The setting adc_bailout ends a ray that carries less
+ * than a tenth of the light, such as reflections of panes: this again halves the station's time.
  *
  * With always_sample off, a point that the first pass (pretrace) has not sampled gets the light of its neighbours, or
  * without neighbours the mean of all samples, a grey patch. Therefore pretrace_end, also a fraction of the picture's

@@ -26,7 +26,7 @@ typedef struct {
 typedef struct { uint32_t group, paint; vs_affine placement; } vs_x3d_placed; /* a use of a template: number of the
                                                                                * template, paint and placement */
 
-/* A batch: all triangles and lines of a single material in a group. Those in batch number 0 have no material; in a
+/* A batch: all triangles and lines of a single material in a group. The shapes in batch number 0 have no material; in a
  * template, they get the paint of the template's use. */
 typedef struct {
   vs_vec3 *vertices, *normals; /* positions and unit normals of the vertices of triangles; the arrays have equal

@@ -79,8 +79,9 @@ static bool mechanism(vs_args *f, const vs_structure_report *report) {
   return false;
 }
 
-/* (%frame-solve points members held loads lines cases): returns a list of the nodes' movements, the forces at the bars'
- * ends, the reactions of the supports, and the list of the numbers of loose nodes, counted from 1. */
+/* (%frame-solve points members held loads lines cases): returns a list of four values. They are the nodes' movements,
+ * the forces at the bars' ends, the reactions of the supports, and the list of the numbers of loose nodes, counted from
+ * 1. */
 vs_status vs_p_frame_solve(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   vs_structure s;

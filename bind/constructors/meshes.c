@@ -266,8 +266,8 @@ vs_status vs_p_make_irregular_pyramid(vs_args *f, vs_value *out) {
                                  * base */
   for (size_t i = 1; i + 1 < n; i++)
     spread = vs_v3_add(spread, vs_v3_cross(vs_v3_sub(at[i], at[0]), vs_v3_sub(at[i + 1], at[0])));
-  /* size: greatest distance of a base corner from the first; up: height of the apex above the base's plane; off:
-   * greatest distance of a base corner from this plane; widest: twice the area of the largest triangle tried. */
+  /* Two greatest distances of base corners: `size` from the first corner, `off` from the base's plane. `up` is the
+   * height of the apex above this plane. `widest` is twice the area of the largest triangle tried. */
   double size = 0, up = 0, off = 0, widest = 0;
   vs_vec3 normal = vs_v3_unit(spread);
   for (size_t i = 1; i < n; i++) {

@@ -13,8 +13,8 @@
 #include "vm/machine/run.h"
 #include "vm/values/heap.h"
 
-/* Data for loading a mesh in pieces, one for each material. left: faces of shells that are not closed within their
- * piece, in the order of the pieces; piece_end[i]: number of faces in `left` after piece i. */
+/* Data for loading a mesh in pieces, one for each material. The list `left` contains the faces of shells that are not
+ * closed within their piece, in the order of the pieces. There, piece_end[i] is the number of faces after piece i. */
 typedef struct {
   vs_args *f;
   size_t piece_count;
@@ -158,8 +158,8 @@ static void find_owners(const loading *l, const uint32_t *shell, uint32_t *owner
   }
 }
 
-/* Creates solids from the closed shells, in the order of their owners, and surfaces from the other faces. next: array
- * for the links of lists: first one for each face, then the first face of each piece. */
+/* Creates solids from the closed shells, in the order of their owners, and surfaces from the other faces. The array
+ * next is for lists: first a link for each face, then the first face of each piece. */
 static vs_status give_left(loading *l, const uint32_t *shell, const unsigned char *open, const uint32_t *owner,
                            uint32_t *next) {
   const vs_face_list *left = &l->left;

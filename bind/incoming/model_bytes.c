@@ -142,9 +142,9 @@ static int64_t component_size(int64_t type) {
 }
 
 /* (%glb-numbers bytes offset end stride count width type): returns the numbers of `count` items from `offset` on, each
- * with `width` components of a type of glTF. stride: distance between items in bytes; 0: the items follow each other.
- * Returns #f if an item exceeds `end`. Each argument except bytes is a fixnum from 0 to 2^33, and `end` is at most the
- * number of bytes. */
+ * with `width` components of a type of glTF. The stride is the distance between items in bytes, or 0 if the items
+ * follow each other. Returns #f if an item exceeds `end`. Each argument except bytes is a fixnum from 0 to 2^33, and
+ * `end` is at most the number of bytes. */
 static vs_status glb_numbers(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   int64_t at[6];

@@ -26,8 +26,9 @@
 
 VS_DYNAMIC_FUNCTIONS(EXPAT_FUNCTIONS);
 
-/* State of reading an XML file. events: the list that the native returns, newest first; path: a root of the garbage
- * collector; text: the characters since the last tag; meshes: whether `numbers` collects vertices and triangles. */
+/* State of reading an XML file. The list `events` is the result, newest first. The path is a root of the garbage
+ * collector. The text contains the characters since the last tag. If meshes is true, `numbers` collects vertices and
+ * triangles. */
 typedef struct {
   vs_scheme *vm;
   vs_value *events;

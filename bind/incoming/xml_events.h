@@ -5,8 +5,8 @@
 #include "vm/machine/native.h"
 #include "vm/values/text.h"
 
-/* Sets *out to a list of the events of an XML file in reverse order: (line name (attribute . text) ...) for the start
- * of an element, #f for its end, and a string for text. Names are symbols, without prefixes of namespaces. */
+/* Sets *out to a list of the events of an XML file in reverse order. An event is (line name (attribute . text) ...) for
+ * the start of an element, #f for its end, and a string for text. Names are symbols, without prefixes of namespaces. */
 vs_status vs_xml_events(vs_scheme *vm, vs_value path, vs_value *out);
 
 /* Sets *out to the events of an XML text; errors name the file `path`. meshes: the elements `vertex` and `triangle`

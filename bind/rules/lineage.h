@@ -11,8 +11,8 @@
 
 typedef struct vs_bind vs_bind;
 
-/* An entry of the record: the `count` scopes that one operator created from one scope. That scope is number `position`
- * of entry `parent`. The first entry is the root, which is its own parent. */
+/* An entry of the record: the `count` scopes that one operator created from one scope, which is number `position` of
+ * entry `parent`. The first entry is the root, which is its own parent. */
 typedef struct {
   uint32_t parent, position, count;
   uint32_t index; /* index of a single scope among the children of its operator; in an entry of several scopes, the

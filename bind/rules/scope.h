@@ -134,7 +134,7 @@ void vs_scope_path_text(const vs_scope *s, char *text, size_t room);
 /* ---- corners, sizes and frames ---- */
 vs_vec3 vs_scope_corner(const vs_scope *s, int i, int j, int k);
 void vs_scope_corners(const vs_scope *s, vs_vec3 corner[8]);
-/* Returns the sizes of a scope along x, y and z. Those of a hexahedron are the mean lengths of its edges. */
+/* Returns the sizes of a scope along x, y and z. The sizes of a hexahedron are the mean lengths of its edges. */
 vs_vec3 vs_scope_size(const vs_scope *s);
 /* Returns the frame of a scope: its columns are x, y, z and the first corner. The x of a hexahedron is the mean of its
  * edges along x; its y is as close as possible to its edges along y. */

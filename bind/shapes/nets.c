@@ -78,8 +78,8 @@ static vs_status unsettled(vs_args *f, vs_relax_outcome outcome, const vs_relax_
 }
 
 /* (%form-find points members fixed loads weight stiffness tolerance): returns a list of the moved points, the forces of
- * the members, the residual force and the number of steps. members is a flat list with four numbers for each: from, to
- * (indices from 0), length, density. loads are gvectors. */
+ * the members, the residual force and the number of steps. The members are a flat list with four numbers for each:
+ * from, to (indices from 0), length, density. The loads are gvectors. */
 vs_status vs_p_form_find(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   size_t n = vs_arg_points(f, 0).count;
@@ -121,7 +121,7 @@ vs_status vs_p_form_find(vs_args *f, vs_value *out) {
 }
 
 /* (%planarise points faces fixed tolerance): returns the moved points, and the greatest distance of a corner from the
- * plane of its face. faces is a flat list: for each face the number of its corners, then their indices from 0. */
+ * plane of its face. The faces are a flat list: for each face the number of its corners, then their indices from 0. */
 vs_status vs_p_planarise(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   size_t n = vs_arg_points(f, 0).count, corners = 0, faces = 0;

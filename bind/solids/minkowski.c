@@ -1,9 +1,9 @@
 /* Implements minkowski: the sum of two solids, as a hull or a union of hulls.
  *
- * The sum of two convex solids is the hull of the sums of their corners. The sum of two other solids A and B is a union
- * of three parts: A moved by one point of B, B moved by one point of A, and the sums of all pairs of boundary polygons.
- * A point x is in the sum if x - B and A have a common point. Then their boundaries intersect, or one of the two solids
- * lies in the other. Each polygon is convex, and so is each of the sums. */
+ * The sum of two convex solids is the hull of the sums of their corners. The sum of two other solids A and B is a
+ * union. Its parts are A moved by one point of B, B moved by one point of A, and the sums of all pairs of boundary
+ * polygons. A point x is in the sum if x - B and A have a common point. Then their boundaries intersect, or one of the
+ * two solids lies in the other. Each polygon is convex, and so is each of the sums. */
 #include <stdlib.h>
 
 #include "bind/build.h"
@@ -26,7 +26,7 @@ enum {
   SUMS_MOST = 1000000000  /* greatest number of pairs of corners of two convex solids that are compared */
 };
 
-/* One of the two solids that are added. */
+/* A solid that is added to another. */
 typedef struct {
   vs_ref ref;
   vs_mesh mesh;
@@ -171,7 +171,7 @@ static vs_status sum_of_convex(sum *s, const summand *a, const summand *b) {
   return add_pair(s, a->faces.at, n, b);
 }
 
-/* Adds copies of the object `whole`: for each connected part of the solid `at`, a copy moved by a point of this part. */
+/* Adds copies of the object `whole`: for each connected part of `at`, a copy moved by a point of this part. */
 static vs_status add_inner(sum *s, vs_ref whole, const summand *at) {
   vs_mesh_parts parts;
   vs_status ok = vs_mesh_parts_find(&at->mesh, &parts) ? VS_OK : vs_fail_memory(vs_call_vm(s->f));

@@ -54,7 +54,7 @@ bool vs_emit_place(vs_emit *e, vs_pos pos);                               /* Set
  * procedure's cell. */
 bool vs_emit_inlined(vs_emit *e, uint32_t cell);
 /* Records that the variable is in its register from the next instruction on, until a call vs_emit_scope_end(e, first).
- * That call ends the scope of entry `first` of the table of variables and of all later entries. */
+ * This call ends the scope of entry `first` of the table of variables and of all later entries. */
 bool vs_emit_variable(vs_emit *e, const vs_var *v);
 void vs_emit_scope_end(vs_emit *e, size_t first);
 /* Stores the emitted instructions in `code`, which is an object in old space. */

@@ -8,9 +8,9 @@
  * multiple of SKIP (16), of its square and so on also has a table of all bindings of that many scopes around it (16,
  * 256, ...). A search reads the table and continues outside those scopes. A late binding is one that is added to a
  * scope that already contains other scopes. It makes their tables invalid; bodies avoid such bindings. In a scope,
- * `name` is its depth and the number of late bindings when its table was made, `imports` the table (identifier to the
- * scope that binds it) or (), `exports` the scope in which to continue. The `top` of the top-level environment is the
- * number of late bindings.
+ * `name` is its depth and the number of late bindings when its table was made. Its `imports` is the table (identifier
+ * to the scope that binds it) or (), its `exports` the scope in which to continue. The `top` of the top-level
+ * environment is the number of late bindings.
  *
  * Environments form chains by `parent`. `top` is the end of a local scope's chain, #f in a top-level environment. A
  * local scope's `data` is the number of the expansion that created it. A local scope binds names to fixnum addresses of

@@ -22,9 +22,9 @@
 
 #include <stdio.h>
 
-/* Indices of the data for a pair of braces: the lists of forms and of tokens, each with its last pair; the literals not
- * yet pushed; the registers (VS_NIL: none yet); the data of the enclosing braces. The data are elements of a vector, so
- * that one root of the garbage collector suffices for all open braces. */
+/* Indices of the data for a pair of braces. They are the lists of forms and of tokens, each with its last pair; the
+ * literals not yet pushed; the registers (VS_NIL: none yet); and the data of the enclosing braces. The data are
+ * elements of a vector, so that one root of the garbage collector suffices for all open braces. */
 enum { FORMS, FORMS_LAST, TOKENS, TOKENS_LAST, LITERALS, LITERALS_LAST, REGISTERS, AROUND, SLOTS };
 
 typedef struct { vs_pos pos, literals; bool usereg; } level;

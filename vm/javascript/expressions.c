@@ -175,8 +175,8 @@ static bool binary(vs_translation *t, vs_script_operator op, operand l, operand 
 
 static operand of(const vs_translation *t, uint32_t i) { return (operand){ i, NULL, type(t, i) }; }
 
-/* Translates == and === if the right operand is null, true or false and a simple test suffices. Sets *done to true if it
- * did. */
+/* Translates == and === if the right operand is null, true or false and a simple test suffices. Then sets *done to
+ * true. */
 static bool equality(vs_translation *t, const vs_script_node *n, bool *done) {
   bool same = n->op == VS_OPERATOR_SAME || n->op == VS_OPERATOR_NOT_SAME;
   vs_script_kind kind = (vs_script_kind)node(t, n->b)->kind;

@@ -32,8 +32,8 @@ static vs_status integer_to_char(vs_scheme *vm, vs_value *a, int n, vs_value *ou
 
 /* ---- upper and lower case ---- */
 
-/* char_up and char_down return a character's upper case and lower case. They return ß unchanged, because its upper case
- * has two letters. */
+/* char_up and char_down return a character's upper case and lower case. They do not change the sharp s, whose upper
+ * case has two letters. */
 static uint32_t char_up(uint32_t c) { return c == 0xDF ? c : (uint32_t)utf8proc_toupper((utf8proc_int32_t)c); }
 static uint32_t char_down(uint32_t c) { return (uint32_t)utf8proc_tolower((utf8proc_int32_t)c); }
 /* Returns the character's folded case, for comparisons that ignore case. The i with a dot and the i without a dot

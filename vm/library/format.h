@@ -1,6 +1,6 @@
-/* Declares the directives of format, printf and PLT's error. ~a ~d: as by display; ~s ~w ~v: as by write; ~c: a
- * character; ~b ~o ~x: a number in radix 2, 8, 16; ~e: an inexact number; ~n ~%: a newline; ~~: a tilde; ~ before a
- * line end: nothing. */
+/* Declares the directives of format, printf and PLT's error. Values: ~a ~d as by display; ~s ~w ~v as by write.
+ * Numbers: ~b ~o ~x in radix 2, 8, 16; ~e inexact. Characters: ~c the argument; ~n ~% a newline; ~~ a tilde; ~ before a
+ * line end nothing. */
 #ifndef VS_VM_LIBRARY_FORMAT_H
 #define VS_VM_LIBRARY_FORMAT_H
 

@@ -206,7 +206,8 @@ static bool refill(vs_scheme *vm, vs_value port, bool *any) {
   if (n == 0) return true;
   VS_ROOTS(vm, r, 2);
   r[0] = port;
-  /* left: number of bytes not yet read. They are an incomplete character, or data that a program has only peeked at. */
+  /* left: number of bytes not yet read. They are an incomplete character, or data that a program has examined without
+   * reading them. */
   size_t left = (size_t)(p->limit - p->position);
   if (!vs_make_bytes(vm, left + (size_t)n, &r[1])) return false;
   p = vs_as_port(r[0]);

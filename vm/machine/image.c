@@ -1,7 +1,7 @@
 /* Writes and loads the heap image.
  *
- * Its layout in 64-bit words is: magic number, sum of the native tables, number of words of all objects, number of
- * words of the natives among them, then vm->sym, vm->at, and the objects in sequence, natives first. A pointer is the
+ * It consists of 64-bit words: magic number, sum of the native tables, number of words of all objects, number of words
+ * of the natives among them. Then follow vm->sym, vm->at, and the objects in sequence, natives first. A pointer is the
  * address that its object has if the image is mapped at IMAGE_HOME. The `def` of a native is its number, counted
  * through all tables.
  *

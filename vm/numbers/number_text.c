@@ -290,7 +290,8 @@ static bool scaled_number(const scan *in, const unsigned char *digits, size_t n,
   } else if (exponent > 1000000 || exponent < -1000000) {
     return vs_fail(vm, vm->sym.range, "the exponent of an exact number is too large");
   }
-  /* After the first KEEP digits, the others affect the result only if they are not all 0. One digit replaces them. */
+  /* After the first KEEP digits, the others affect the result only if they are not all 0. A single digit replaces
+   * them. */
   enum { KEEP = 1200 };
   unsigned char kept[KEEP + 1];
   if (!exact && n > KEEP) {

@@ -31,7 +31,7 @@ enum {
 typedef enum { VS_LOOK_GO, VS_LOOK_STOP, VS_LOOK_FAILED } vs_step_verdict;
 
 /* Checks the instruction at pc before the activation at base runs it. Returns STOP with the stop in vm->condition,
- * FAILED if memory is out, or another verdict if the program goes on. */
+ * FAILED if memory is out, or another verdict if the program continues. */
 vs_step_verdict vs_step_look(vs_scheme *vm, vs_value *base, const uint32_t *pc);
 
 bool vs_is_stop(const vs_scheme *vm, vs_value condition);
