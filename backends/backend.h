@@ -62,8 +62,7 @@ typedef enum {
                               * solids, and calls their functions in `emit` */
   VS_INKS = 1 << 7,          /* a pass gives a dark material to thin objects without a material (ink.h) */
   VS_LAYS = 1 << 8,          /* the format draws patterns correctly only on faces that no placement rotates (lay.h) */
-  VS_GROUPS = 1 << 9,        /* the driver first divides large unions into groups of neighbouring parts
-                              * (vs_sets_group) */
+  VS_GROUPS = 1 << 9,        /* the driver first converts sets of very many parts to trees of boxes (vs_sets_group) */
   VS_AREA_SETS = 1 << 10,    /* the format's emit function receives unions and differences of regions; for other formats
                               * the driver first computes a single region */
   VS_KEEPS_TEXT = 1 << 11,   /* the text of a node depends only on the values in its cache key, not on earlier output,

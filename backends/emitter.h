@@ -72,7 +72,8 @@ bool vs_emit_warn_once(vs_emitter *e, const vs_ref *ref,
                                               * are compared by address. */
 bool vs_emit_no_memory(vs_emitter *e);
 bool vs_emit_progress(vs_emitter *e, const char *stage,
-                      double fraction); /* Returns false if the user interrupts; e's error is then set. */
+                      double fraction); /* Reports the completed fraction of the work, 0 to 1. Returns false if the user
+                                         * interrupts; e's error is then set. */
 /* Adds `count` triangles, written now or later, to e->triangles. The triangles of a template count once. Returns false,
  * and sets the error, if the sum exceeds the limit. */
 bool vs_emit_triangles(vs_emitter *e, size_t count);

@@ -1,4 +1,4 @@
-/* Declares the places of calls, implemented in origins.c. */
+/* Declares functions that return the places of calls with their callers (origins). Implemented in origins.c. */
 #ifndef VS_BIND_ORIGINS_H
 #define VS_BIND_ORIGINS_H
 

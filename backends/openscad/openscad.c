@@ -96,8 +96,8 @@ static vs_emit_status scad_sphere(vs_emitter *e, const vs_ref *ref, vs_phase pha
   return scad_done(e);
 }
 
-/* A solid of revolution, or a solid with a regular polygon as its base. Its axis leads from the centre of the base to
- * the centre of the top. */
+/* A solid of revolution, or a solid with a regular polygon as its base. Its axis is the segment from the centre of the
+ * base to the centre of the top. */
 typedef struct {
   vs_vec3 base, top;
   double base_radius, top_radius; /* radii of base and top; for a regular polygon, the distances of its corners from the

@@ -871,7 +871,7 @@ give_several:
   }
   goto give;
 
-  /* Returns v from the activation at base. */
+  /* Returns the value v from the activation at base to its caller. */
 give: {
     ret = base[-1];
     size_t distance = vs_ret_distance(ret);
