@@ -45,8 +45,7 @@ live_asked live_follow_asked(live_follower *f);
 void live_asked_free(live_asked *a);
 
 /* A view without threads, for a host that is the server's only client (live/playground/): its server starts no thread,
- * and
- * the host calls the following functions, none of which waits. Returns NULL on failure, after a message on standard
+ * and the host calls the following functions, none of which waits. Returns NULL on failure, after a message on standard
  * error. o must exist until the view is closed. */
 live_follower *live_alone_open(const live_options *o);
 void live_alone_run(live_follower *l);  /* Runs the model for the first time. */

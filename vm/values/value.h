@@ -94,7 +94,7 @@ enum {
 
 typedef struct vs_object {
   _Alignas(8) uint8_t type; /* the type, VS_T_... */
-  uint8_t gc;       /* flags of the collector (gc.c) */
+  uint8_t gc;       /* flags of the garbage collector (gc.c) */
   uint16_t flags;   /* flags VS_F_..., some of which are specific to a type */
   uint32_t words;   /* size of the object with its header, in words of 8 bytes */
 } vs_object;
@@ -219,7 +219,8 @@ typedef struct { vs_object h; vs_value value; } vs_box;
 typedef struct { vs_object h; uint64_t count; vs_value at[]; } vs_values;      /* several values of one expression;
                                                                                 * count is never 1 */
 
-typedef struct { vs_object h; vs_value name, fields /* fields: vector of the fields' names, as symbols */, parent, data; } vs_record_type;
+/* A record type. fields: vector of the fields' names, as symbols. */
+typedef struct { vs_object h; vs_value name, fields, parent, data; } vs_record_type;
 typedef struct { vs_object h; vs_value type; vs_value at[]; } vs_record;
 
 /* An immutable record of at most 16 doubles (flat.h). h.flags is its tag. */
@@ -255,11 +256,9 @@ typedef struct {
   uint32_t line, col, flags, peeked;
 } vs_port;
 
-typedef struct {
-  vs_object h;
-  vs_value done /* done: #t, #f or VS_ABSENT; determines the kind of `value` */, value /* value: for done = #t the result, for #f a thunk, for VS_ABSENT another
-                                             * promise with the same result */;
-} vs_promise;
+/* A promise. done: #t, #f or VS_ABSENT. value: for #t the result, for #f a thunk that returns a promise, for VS_ABSENT
+ * another promise with the same result. */
+typedef struct { vs_object h; vs_value done, value; } vs_promise;
 typedef struct { vs_object h; vs_value value, converter, name; } vs_parameter;
 
 /* An error of the system or of (error ...). It is printed as MESSAGE IRRITANT ...: "make-sphere: r must be positive,
