@@ -172,7 +172,7 @@ static vs_outcome submit(job_record *r, const cli_options *o, const volatile sig
   if (o->quiet) return VS_OUTCOME_DONE;
   printf("%s: %zu parts in %zu bundles submitted as job %s, and the join as job %s\n", r->folder, r->parts,
          r->bundle_count, *r->array ? r->array : "-", r->join);
-  printf("each bundle: %zu parts, %s processors", r->bundle, r->cpus > 1 ? "several" : "1");
+  printf("each bundle: %zu parts, %zu processor%s", r->bundle, r->cpus, r->cpus == 1 ? "" : "s");
   if (*r->time) printf(", %s minutes", r->time);
   if (*r->memory_limit) printf(", %s MB", r->memory_limit);
   printf("\nvs jobs %s shows them\n", r->folder);
