@@ -63,7 +63,7 @@ int main(int count, char **words) {
     bytes += keep(&copy[4], m.places, m.place_count * sizeof *m.places);
     copying += seconds() - start;
     places += m.place_count, triangles += m.place_count * m.triangle_count;
-  } /* the host keeps its copies to the end, as a real host does */
+  } /* the host keeps its copies until the program ends, as a real host does */
   double handed = seconds() - began - copying;
   size_t grew = most - before;
   began = seconds();

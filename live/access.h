@@ -5,7 +5,7 @@
 #include "live/http.h"
 
 typedef struct {
-  char token[33];             /* the word that a request must contain in its header X-VS-Token */
+  char token[33];             /* secret token: a request must contain this text in its header X-VS-Token */
   char hosts[2][32];          /* accepted values of the header Host: "127.0.0.1:PORT", "localhost:PORT" */
 } live_access;
 
@@ -16,8 +16,8 @@ typedef struct { unsigned status; const char *why; } live_refusal;
  * in bytes. */
 live_refusal live_access_refuse(const live_http *http, struct MHD_Connection *c, const live_access *a, const char *url,
                                 size_t most);
-void live_access_hosts(live_access *a, unsigned port); /* sets the accepted hosts */
-bool live_access_word(char out[33]); /* Writes 32 random hexadecimal digits. Returns false if the system has no random
-                                      * numbers. */
+void live_access_hosts(live_access *a, unsigned port); /* sets the accepted values of the header Host for this port */
+bool live_access_word(char out[33]); /* Writes a random word of 32 hexadecimal digits and a NUL. Returns false if the
+                                      * system provides no random numbers. */
 
 #endif

@@ -65,9 +65,9 @@ static bool aside_bytes(void *context, const void *bytes, size_t count) {
   return !t->failed;
 }
 
-/* ---- a request ---- */
+/* ---- handling a window's request ---- */
 
-/* Sets the values of parameters that a request contains (set), or removes them again. Does not change the text
+/* Sets the parameter values that the request contains if `set`, otherwise removes them. Does not change the text
  * w->given. */
 static void aside_values(live_aside *a, live_wish *w, bool set) {
   for (char *at = w->given; *at != 0;) {
@@ -95,7 +95,7 @@ static bool aside_ready(live_aside *a) {
   return a->scheme != NULL;
 }
 
-/* Reads the description of a picture: "WIDTHxHEIGHT QUALITY EYE TARGET LENS". The last items may be missing. */
+/* Reads the description of a picture: "WIDTHxHEIGHT QUALITY EYE TARGET LENS". Items at the end may be missing. */
 static void aside_picture(const char *text, vs_output_options *o) {
   static const char *const qualities[] = { "draft", "good", "final" };
   int width = 0, height = 0;
@@ -113,7 +113,7 @@ static void aside_picture(const char *text, vs_output_options *o) {
   memcpy(o->camera, c, sizeof c);
 }
 
-/* Sends the messages of an output to the windows. */
+/* Sends the messages that arose while an output was made to the windows. */
 static void tell_messages(live_aside *a) {
   live_text t = { 0 };
   if (a->messages.shown == 0) return;

@@ -14,12 +14,12 @@ typedef struct {
   const live_options *options;
   live_publish *publish;
   live_queue *queue;   /* the requests that this side handles: a member of publish */
-  bool tells;          /* whether windows receive the messages of an output, as the event "messages" */
-  bool writing;        /* whether the side is writing an output, so that messages are about the output */
-  live_said messages;  /* messages of the output, if the side tells them */
+  bool tells;          /* whether the side sends the messages of an output to the windows, as the event "messages" */
+  bool writing;        /* whether an output is being written, so that new messages concern this output */
+  live_said messages;  /* messages of the output, if the member `tells` is true */
   vs_scheme *scheme;   /* interpreter of the side, made at the first request */
   live_wish *now;
-  live_text said;      /* text of the first error of the current run */
+  live_text said;      /* text of the first error in the current run of the model */
   pthread_t thread;
   bool started;
 } live_aside;
@@ -27,8 +27,8 @@ typedef struct {
 /* Starts the thread; the members options, publish and queue must be set. If there is no thread, prints a message on
  * standard error and returns false. */
 bool live_aside_open(live_aside *a);
-/* Makes the output of the next request, which arrives within wait_ms milliseconds. Returns false if there is none. The
- * thread calls this function; without a thread the session does. */
+/* Makes the output for the next request. Returns false if no request arrives within wait_ms milliseconds. The side's
+ * thread calls this function; in a view without threads, the session calls it. */
 bool live_aside_turn(live_aside *a, long wait_ms);
 void live_aside_close(live_aside *a); /* Ends the thread. The caller must first set publish->ended. */
 

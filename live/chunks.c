@@ -11,7 +11,8 @@
 
 enum { LEAST = 2048, MOST = 65536 };
 
-/* The SplitMix64 function, which computes the random number of a byte, so that the source needs no table. */
+/* The SplitMix64 function. It computes the random number of a byte, so that the source needs no table of random
+ * numbers. */
 static uint64_t chunk_mix(uint64_t x) {
   x += 0x9e3779b97f4a7c15u;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;

@@ -17,41 +17,43 @@
 #include "live/scene_host.h"
 #include "live/serve.h"
 
-/* Times in milliseconds. LOOK_MS: between checks of the files while a window waits. LOOK_ALONE_MS: between checks while
- * no window is open. FRAME_MS: duration of a frame. */
+/* Times in milliseconds. LOOK_MS: time between two checks of the model's files while a window is open. LOOK_ALONE_MS:
+ * time between two checks while no window is open. FRAME_MS: duration of a frame of an animated scene. */
 enum { LOOK_MS = 8, LOOK_ALONE_MS = 40, FRAME_MS = 40 };
 enum { COARSE_SEGMENTS = 12 };
 
 typedef struct live_follower {
   const live_options *options;
-  live_options own;    /* the options, which the view changes where it follows a prompt or is confined */
+  live_options own;    /* the view's own copy of the options, which it changes if it follows a prompt or is confined */
   bool follows;        /* whether the view follows a prompt, so that the interpreter belongs to the caller */
   live_publish publish;
   live_server server;
   vs_scheme *scheme;
   live_files files;
   live_aside aside, exporter; /* aside: makes outputs with other values. exporter: exports the current model */
-  live_text released;  /* text with a byte for each parameter of the options: 1 after a window has set the parameter */
+  live_text released;  /* text with a byte for each parameter that the options set: 1 after a window has set the same
+                        * parameter */
   bool coarse;         /* whether a slider is moving, so that round shapes are coarse, unless the options set a
                         * tolerance */
   bool frames;         /* whether the scene changes with time, so that the session computes frames */
   double last_frame;   /* time of the last frame in seconds */
   bool good;           /* whether the published scene is the result of the model's last run */
-  const char *asked;   /* text typed at the prompt, while its result is published; otherwise NULL */
+  const char *asked;   /* text typed at the prompt, while the result of that text is published; otherwise NULL */
   bool prompted;       /* whether the prompt has run code since the model's last run, so that the drawing may differ
                         * from that of the model's text */
   live_said said;      /* messages of the current run */
   bool busy_told;
-  bool trial;          /* whether the last run of the model was that of an unsaved text */
+  bool trial;          /* whether the last run of the model used an unsaved text from a window */
   double began;
   unsigned version, run; /* version: number of the latest scene; run: number of the latest run */
-  bool kept;           /* whether a client waits for the current output, so that only a saved file and the window's
-                        * Stop button end it */
+  bool kept;           /* whether a client waits for the output that is being made. Only a saved file or the window's
+                        * Stop button then ends the work. */
   bool moved;          /* whether frames or actions of the user have changed the scene since the model's last run */
-  bool overtaken;      /* whether the current run was interrupted because a window or a file requires another run */
+  bool overtaken;      /* whether the current run was interrupted because a newer request or a changed file requires
+                        * another run */
   bool ended_early;    /* whether a window's request interrupted the last run */
-  double looked;       /* in seconds. looked: clock at the last check for a newer request. whole: duration of the last
-                        * run that was not interrupted */
+  double looked;       /* looked: clock in seconds at the last check for a newer request. whole: seconds of the last run
+                        * that was not interrupted */
   double whole;
 } live;
 
@@ -63,7 +65,8 @@ static double now(void) {
 
 /* ---- callbacks of the interpreter ---- */
 
-static const double FRAME_MOST = 0.25; /* in seconds: greatest time that a frame may advance, even if it is late */
+static const double FRAME_MOST = 0.25; /* greatest time in seconds by which one frame advances the scene, even if the
+                                        * frame is late */
 
 static bool host_output(void *context, const char *text, size_t length) {
   live *l = context;
@@ -95,9 +98,9 @@ static void host_progress(void *context, const vs_progress *p) {
   live_text_free(&t);
 }
 
-/* Returns the seconds that a run may take before a window's new value or text interrupts it. While a slider moves,
- * pictures are needed. A run that will probably end soon may therefore finish, and of two successive runs at least one
- * finishes. An endless program reaches this limit soon. */
+/* Returns the seconds that a run may take before a window's new value or text interrupts it. While a slider moves, a
+ * run that will probably end soon may finish, so that the window shows pictures. Of two successive runs at least one
+ * finishes. */
 static double patience(const live *l) {
   const double least = 0.3, most = l->ended_early ? 3 : 1, likely = 2 * l->whole;
   return likely < least ? least : likely < most ? likely : most;
@@ -131,8 +134,9 @@ static bool host_list(void *context, const char *path, bool (*take)(void *to, co
   return live_options_list(((const live *)context)->options, path, take, to, why);
 }
 
-/* Called for the Stop button: interrupts the current run, or the run that waits. If there is none, does nothing, so
- * that the next run is not interrupted. A view that follows a prompt clears the request when the next run begins. */
+/* Called for the Stop button: interrupts the current run, or the run that is about to begin. If the session is idle,
+ * does nothing, so that the next run is not interrupted. A view that follows a prompt clears the request when the next
+ * run begins. */
 static void stop(void *context) {
   live *l = context;
   pthread_mutex_lock(&l->publish.lock);
@@ -140,8 +144,8 @@ static void stop(void *context) {
   pthread_mutex_unlock(&l->publish.lock);
 }
 
-/* Records that the session is idle: the Stop button has nothing to end until the session takes a request or calls
- * `work`. */
+/* Records that the session is idle. Until the session takes a request or calls `work`, the Stop button has no
+ * effect. */
 static void rest(live *l) {
   pthread_mutex_lock(&l->publish.lock);
   l->publish.working = l->publish.wishes.count > 0;
@@ -238,8 +242,8 @@ static bool scene_bytes(void *context, const void *bytes, size_t count) {
   return !t->failed;
 }
 
-/* Publishes the current drawing as the next version. With `another`, publishes it only if it differs from the last
- * version. */
+/* Publishes the current drawing as the next version of the scene. If `another` is true, does so only if the drawing
+ * differs from the last version. */
 static vs_outcome publish_drawing(live *l, bool another) {
   live_text bytes = { 0 };
   vs_summary summary;
@@ -297,7 +301,7 @@ static void finish(live *l, vs_outcome outcome) {
   vs_interrupt_clear(l->scheme);
 }
 
-/* Returns the index, from 1, of NAME=VALUE among the options' parameters, or 0 if it is not among them. */
+/* Returns the index, counted from 1, of the option that sets the parameter `name`, or 0 if no option sets it. */
 static size_t option_of(const live *l, const char *name) {
   size_t length = strlen(name);
   for (size_t i = l->options->parameter_count; i > 0; i--)
@@ -313,8 +317,8 @@ static bool same_value(const char *a, const char *b) {
   return strcmp(a, b) == 0 || (a_end != a && *a_end == 0 && b_end != b && *b_end == 0 && x - y == 0);
 }
 
-/* Forgets values that equal those of the source, so that the parameters follow changes of the source. Values of the
- * command line remain until a window sets the parameter. */
+/* Removes set values that equal the values in the source, so that these parameters follow changes of the source. Values
+ * from the command line remain until a window sets the parameter. */
 static void forget_defaults(live *l) {
   vs_parameter_info p;
   for (size_t i = 0; i < vs_parameter_count(l->scheme) && vs_parameter_get(l->scheme, i, &p); i++) {
@@ -333,7 +337,7 @@ static bool set_parameter(live *l, const char *name, const char *value) {
 static vs_outcome run_files(live *l) {
   begin(l);
   if (live_files_newer(&l->files)) live_trial_put(&l->publish, NULL); /* the file was saved since the last check: its
-                                                                       * text replaces the unsaved text of a window */
+                                                                       * text replaces the unsaved text from a window */
   live_files_clear(&l->files);
   live_files_note(&l->files, l->options->model);
   l->prompted = l->moved = false;
@@ -342,13 +346,13 @@ static vs_outcome run_files(live *l) {
   return outcome == VS_OUTCOME_DONE ? vs_eval_file(l->scheme, l->options->model, l->trial ? VS_EVAL_TRY : 0) : outcome;
 }
 
-/* Runs the model. Many editors empty a file before they write it, so a file that changed during the read may be
- * incomplete. The session then reads it again before it shows anything. Exception: if the read took long, a second save
- * is more likely than an incomplete file. */
+/* Runs the model. Many editors empty a file before they write it, so a file that changed while it was read may be
+ * incomplete. The session then reads it again before it shows a result, unless the first read took long: then the file
+ * was probably saved twice. */
 static void run_model(live *l) {
   enum { TIMES = 3 };
-  const double quick = 0.5; /* duration of a read, in seconds, above which a second save is more likely than an
-                             * incomplete file */
+  const double quick = 0.5; /* duration of a read in seconds; if a longer read finds a change, the file was probably
+                             * saved twice, not read incompletely */
   vs_outcome outcome = run_files(l);
   for (int i = 1; i < TIMES && outcome != VS_OUTCOME_INTERRUPTED && now() - l->began < quick; i++) {
     if (!live_files_changed(&l->files)) break;
@@ -362,8 +366,8 @@ static void run_model(live *l) {
   if (l->good) l->whole = now() - l->began;
 }
 
-/* Publishes the changes that a frame or an action of the user has made. An error ends the frames until the model runs
- * again. */
+/* Publishes the changes that a frame or an action of the user has made. After an error, no more frames are computed
+ * until the model runs again. */
 static void tell_frame(live *l, vs_outcome outcome) {
   live_text t = { 0 };
   unsigned version = l->version;
@@ -436,8 +440,9 @@ static unsigned pass_mask(const char *name) {
  * rewrite operations are not used. */
 static const char STEPS[] = "x3d-steps";
 
-/* Passes an export to the side, so that a save does not wait for it. The side runs the model anew. Returns false if the
- * drawing is not that of the model's text alone, or if memory is out. */
+/* Passes an export to the side `exporter`, so that a save of the file does not wait for the export. The side runs
+ * the model anew. Returns false if the current drawing may differ from the result of the model's text, or if memory
+ * is out. */
 static bool export_aside(live *l, live_wish *w) {
   if (l->publish.alone != NULL || l->follows || l->prompted || l->moved || !l->good) return false;
   live_text values = { 0 };
@@ -459,7 +464,8 @@ static void run_export(live *l, live_wish *w) {
   int width = 0, height = 0;
   if (sscanf(w->value, "%5dx%5d", &width, &height) == 2 && width > 0 && height > 0 && width <= 8192 && height <= 8192)
     o.width = width, o.height = height;
-  bool steps = strcmp(w->name, STEPS) == 0; /* steps: a window shows this output itself, so no event reports it */
+  bool steps = strcmp(w->name, STEPS) == 0; /* steps: whether the output shows the model's construction; a window
+                                             * displays it itself, so no event reports it */
   if (!steps && export_aside(l, w)) return;
   if (steps) o.passes = pass_mask("share");
   begin(l);
@@ -473,7 +479,8 @@ static void run_export(live *l, live_wish *w) {
   live_wish_finish(&l->publish, w, outcome, bytes);
 }
 
-/* Handles a request of a window. Returns true if the model must run again. *again: whether this was already so. */
+/* Handles the request w of a window. Returns true if the model must run again. `again`: whether an earlier request
+ * already requires this. */
 static bool run_wish(live *l, live_wish *w, bool again) {
   if (w->kind == LIVE_SET) {
     again |= set_parameter(l, w->name, w->value);
@@ -488,7 +495,7 @@ static bool run_wish(live *l, live_wish *w, bool again) {
     if (again) run_model(l);
     again = false;
     if (w->kind == LIVE_EXPORT) {
-      run_export(l, w); /* passes w to the thread that waits for it */
+      run_export(l, w); /* passes the request w to the thread that waits for the result */
       return false;
     }
     if (w->kind == LIVE_INPUT) run_input(l, w);
@@ -498,7 +505,7 @@ static bool run_wish(live *l, live_wish *w, bool again) {
   return again;
 }
 
-/* Waits for a change of a file, a request or the time of a frame, and handles it. */
+/* Waits for a change of a file, a request, or the time of the next frame, and handles it. */
 static void turn(live *l) {
   bool again = live_files_changed(&l->files);
   l->coarse = false;
@@ -511,7 +518,8 @@ static void turn(live *l) {
   }
   const long pause = l->frames ? FRAME_MS : seen(l) ? LOOK_MS : LOOK_ALONE_MS;
   live_wish *w = again ? NULL : live_wish_take(&l->publish, &l->publish.wishes, pause);
-  for (; w != NULL; w = live_wish_take(&l->publish, &l->publish.wishes, 0)) /* all waiting requests before a run */
+  for (; w != NULL; w = live_wish_take(&l->publish, &l->publish.wishes, 0)) /* handles all waiting requests before the
+                                                                             * model runs */
     again = run_wish(l, w, again);
   if (again && !*l->options->ended) run_model(l);
   if (l->frames && !*l->options->ended) {
@@ -526,7 +534,7 @@ static void serve(live *l) {
   while (!*l->options->ended) turn(l);
 }
 
-/* Prints the view's address. opens: whether it also opens the browser, if the options say so. */
+/* Prints the view's address. If `opens` is true and the options permit it, also opens the browser. */
 static void tell_address(const live *l, bool opens) {
   char address[LIVE_ADDRESS];
   live_server_address(&l->server, address);
@@ -560,7 +568,7 @@ static live *new_view(void) {
   return NULL;
 }
 
-/* Sets the parameters of the options. Returns false if memory is out. */
+/* Sets the parameters to the values in the options. Returns false if memory is out. */
 static bool set_given(live *l) {
   const live_options *o = l->options;
   for (size_t i = 0; i < o->parameter_count; i++) {
@@ -575,7 +583,8 @@ static bool set_given(live *l) {
   return !l->released.failed;
 }
 
-/* Makes the session's interpreter, with the parameters of the options. Returns false after a message. */
+/* Creates the session's interpreter, and sets the parameters to the values in the options. Returns false after a
+ * message on standard error. */
 static bool open_interpreter(live *l) {
   const live_options *o = l->options;
   vs_options interpreter = o->interpreter;
@@ -593,13 +602,14 @@ static bool open_interpreter(live *l) {
   return ok;
 }
 
-/* Confines the process, if the options say so. Nothing of the model has run before, and no other thread. */
+/* Restricts the process's rights, if the options contain the callback `confine`. The caller has neither run the model
+ * nor started a thread. Returns false after a message. */
 static bool confine(live *l) {
   const live_confinement *c = &l->own.confined;
   return c->confine == NULL || c->confine(c->context, &l->own.interpreter);
 }
 
-/* Returns true if the model can be read, otherwise false after a message. */
+/* Returns true if the model's file can be read, otherwise false after a message on standard error. */
 static bool readable(const live *l) {
   char *text = NULL;
   size_t length;
@@ -610,8 +620,9 @@ static bool readable(const live *l) {
   return ok;
 }
 
-/* Opens the server, the interpreter and the sides of a view. alone: live_publish.alone, or NULL. Returns
- * VS_OUTCOME_DONE, or the outcome of live_view after a message on standard error. */
+/* Opens the server, the interpreter and the sides of a view. alone: the callback of live_publish, or NULL if the
+ * view uses threads. Returns VS_OUTCOME_DONE. On failure, prints a message and returns the outcome described for
+ * live_view. */
 static vs_outcome open_view(live *l, const live_options *o, void (*alone)(void *context, bool work)) {
   l->own = *o;
   l->options = o = &l->own;
@@ -622,7 +633,7 @@ static vs_outcome open_view(live *l, const live_options *o, void (*alone)(void *
   l->server = (live_server){ .publish = &l->publish, .model = o->model, .stop = stop, .stop_context = l, .options = o };
   if (!live_http_load(&l->server.http)) return VS_OUTCOME_WORKER;
   if (!live_server_listen(&l->server)) return VS_OUTCOME_MACHINE;
-  if (confined && o->open_browser) { /* a confined process could not start it */
+  if (confined && o->open_browser) { /* starts the browser now, because a confined process could not start it */
     char address[LIVE_ADDRESS];
     live_server_address(&l->server, address);
     live_open_browser(address);
@@ -652,7 +663,8 @@ vs_outcome live_view(const live_options *o) {
 
 /* ---- views without threads ---- */
 
-/* Called by the view's own thread while it works (work is false) or while a request waits for its result. */
+/* The callback live_publish.alone. The view's own thread calls it while it works (`work` is false), or while a request
+ * waits for its result (`work` is true). */
 static void alone(void *context, bool work) {
   live *l = context;
   if (work) {

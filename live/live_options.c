@@ -1,4 +1,4 @@
-/* Implements reading by the options of a live view. */
+/* Implements the reading of files and folders with the callbacks in the options of a live view. */
 #include "live/live_options.h"
 
 #include "live/model_files.h"

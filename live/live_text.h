@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* A text that grows. {0} is an empty text. `at` ends in NUL if it is not NULL. */
+/* A text that grows. {0} is an empty text. `at` is NULL or ends in NUL. room: allocated bytes. */
 typedef struct { char *at; size_t length, room; bool failed; } live_text;
 
 void live_add(live_text *t, const void *bytes, size_t length); /* appends bytes; if memory is out, sets t->failed, and

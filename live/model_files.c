@@ -16,8 +16,8 @@
 
 const char LIVE_NEWER[] = "the file has changed on disk since it was read here";
 enum { MOST_BYTES = 256 << 20 };
-/* Times in milliseconds. The recorded time of a change may be late by a tick of the system's clock, at most ten
- * milliseconds. If a file's last change is older than SETTLE, every later change has another time, and is detected. */
+/* Times in milliseconds. A file's recorded time of change is late by at most ten milliseconds, a tick of the system's
+ * clock. If a file has been unchanged for SETTLE, every later change has a different time and is detected. */
 enum { SETTLE = 12, SETTLE_EMPTY = 500, SETTLE_MOST = 700, SETTLE_LOOK = 2 };
 
 bool live_file_read(const char *path, char **text, size_t *length, const char **why) {
@@ -96,8 +96,8 @@ static double file_age(const live_file *f) {
 
 bool live_files_note(live_files *f, const char *path) {
   for (size_t i = 0; i < f->count; i++)
-    if (strcmp(f->at[i].path, path) == 0) return true; /* if the file is already recorded, keeps the state of its first
-                                                        * read */
+    if (strcmp(f->at[i].path, path) == 0) return true; /* if the file is already recorded, keeps the state recorded at
+                                                        * its first read */
   if (f->count == f->room) {
     size_t room = f->room * 2 + 16;
     live_file *grown = realloc(f->at, room * sizeof *grown);

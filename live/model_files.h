@@ -11,8 +11,8 @@
 typedef struct {
   char *path;
   bool there;
-  bool young; /* whether the file had changed within a tick of its file system's clock when the state was recorded, so
-               * that a later write could have the same time */
+  bool young; /* whether the file had changed less than a clock tick of its file system before its state was recorded,
+               * so that a later change could have an equal time */
   dev_t device;
   ino_t inode;
   off_t size;
@@ -21,22 +21,21 @@ typedef struct {
 } live_file;
 typedef struct { live_file *at; size_t count, room; } live_files;
 
-/* Reads a whole file. Returns true with *text, which the caller frees. Returns false on failure, with the reason in
- * *why, a static text. */
+/* Reads a whole file. Returns true and sets *text, which the caller frees. On failure, returns false and sets *why to
+ * the reason, a static text. */
 bool live_file_read(const char *path, char **text, size_t *length, const char **why);
-/* Passes the names in a folder to `take` until it returns false, as vs_host.list_folder does. */
+/* Calls `take` with each name in a folder until it returns false, as vs_host.list_folder does. */
 bool live_folder_list(const char *path, bool (*take)(void *to, const char *name, size_t length), void *to,
                       const char **why);
 bool live_files_note(live_files *f, const char *path); /* Records the current state of a file, before it is read.
                                                         * Returns false if memory is out. */
-/* Returns true if a file has changed since it was recorded, or was empty when it was read, since its writing had just
- * begun. */
+/* Returns true if a file has changed since its state was recorded, or was empty when it was read, since an editor had
+ * probably just begun to write it. */
 bool live_files_changed(const live_files *f);
-bool live_files_newer(const live_files *f); /* Returns true if a file has changed since it was recorded. For calls while
-                                             * other files are still being read. */
-/* Waits until no file has changed for a moment, at most about 0.7 seconds. If the last change of a file is younger than
- * a tick of its file system's clock, the file could change again without another time. An empty file is probably being
- * written. */
+bool live_files_newer(const live_files *f); /* Returns true if a recorded file has changed since its state was recorded.
+                                             * May be called while the model still reads other files. */
+/* Waits, at most about 0.7 seconds, until no file has just changed or is empty. A file that changed less than a clock
+ * tick ago could change again without a new time of change. An empty file is probably being written. */
 void live_files_settle(const live_files *f);
 void live_files_clear(live_files *f);
 uint64_t live_file_hash(const char *text, size_t length);

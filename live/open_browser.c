@@ -34,7 +34,8 @@ static bool start_browser(char *command, const char *address) {
   char *last = strdup(address);
   if (!placed) words[count] = last;
   if (count > 0 && last != NULL && !put.failed && posix_spawn_file_actions_init(&actions) == 0) {
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", 1 /* O_WRONLY: only for writing */, 0);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", 1 /* the value of O_WRONLY, which opens the
+                                                                              * file only for writing */, 0);
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", 1, 0);
     started = posix_spawnp(&child, words[0], &actions, NULL, words, environ) == 0;
     posix_spawn_file_actions_destroy(&actions);

@@ -49,7 +49,8 @@ static void publish_event(live_publish *p, const char *kind, const char *json) {
   pthread_cond_broadcast(&p->changed);
 }
 
-/* Sends the events at once where no other thread does. The caller must not hold the lock. */
+/* If the view has no threads, sends the waiting events now, by the callback `alone`. The caller must not hold the
+ * lock. */
 static void publish_alone(live_publish *p) {
   if (p->alone != NULL) p->alone(p->alone_context, false);
 }

@@ -1,11 +1,11 @@
-/* Collects the output of a run. See said.h. A program may print without end. A reader needs the end of its text and its
- * last errors, so only these are kept. */
+/* Collects the output of a run (see said.h). A program may print without end, so only the end of the text, the first
+ * messages and the first errors are kept. */
 #include "live/said.h"
 
 #include <string.h>
 
-enum { MESSAGES = 200, ERRORS = 20 /* MESSAGES: greatest number of messages that are kept; ERRORS: number of errors that
-                                    * are kept in addition */, NOTES = 40 };
+enum { MESSAGES = 200, ERRORS = 20 /* MESSAGES: greatest number of kept messages; ERRORS: a message about one of the
+                                    * first ERRORS errors is kept even after MESSAGES messages */, NOTES = 40 };
 
 static bool within_character(char c) { return ((unsigned char)c & 0xc0) == 0x80; }
 

@@ -33,7 +33,7 @@ ASSET(live_html) ASSET(live_js) ASSET(live_css)
   "connect-src 'self'; img-src 'self' blob: data:; media-src blob:; base-uri 'none'; form-action 'none'; " \
   "frame-ancestors 'none'"
 
-/* began: whether its headers were read. zero: whether its path or its query contains the character U+0000. */
+/* began: whether the request's headers were read. zero: whether its path or query contains the character U+0000. */
 typedef struct { live_text body; bool too_long, began, zero; } request;
 
 /* ---- answers ---- */
@@ -128,7 +128,7 @@ static ssize_t listener_read(void *context, uint64_t position, char *buffer, siz
       l->first = false;
     } else if (l->next == p->event_count && !p->ended && p->alone != NULL) {
       pthread_mutex_unlock(&p->lock);
-      return 0; /* the window asks again when there is an event */
+      return 0; /* returns no bytes now; the window will request events again */
     } else if (l->next == p->event_count && !p->ended) {
       struct timespec until = in_seconds(5);
       /* writes a line without data, because a failed write shows that the window is gone */
@@ -295,8 +295,8 @@ static enum MHD_Result serve_names(live_server *s, struct MHD_Connection *c) {
   return answer_live_text(s, c, "application/json", &t);
 }
 
-/* Answers with the ways to call a name of the language, which the window shows below the source. The answer is an empty
- * object if there is no such name. */
+/* Answers with the forms in which a name of the language can be called, which the window shows below the source. The
+ * answer is an empty object if there is no such name. */
 static enum MHD_Result serve_name(live_server *s, struct MHD_Connection *c) {
   const char *name = query(s, c, "of");
   vs_name_info info;
@@ -336,7 +336,7 @@ static enum MHD_Result serve_formats(live_server *s, struct MHD_Connection *c) {
   return answer_live_text(s, c, "application/json", &t);
 }
 
-/* Answers with the findings of `vs check` in a text that a window is editing. */
+/* Checks a text that a window is editing, and answers with the findings as `vs check --json` writes them. */
 static enum MHD_Result serve_check(live_server *s, struct MHD_Connection *c, const live_text *body) {
   char *bytes = NULL;
   size_t count = 0;
@@ -362,9 +362,9 @@ static enum MHD_Result wish(live_server *s, struct MHD_Connection *c, live_wish_
                                                            : answer_text(s, c, 503, "too many requests are waiting\n");
 }
 
-/* GET: answers with the current drawing in a format; a save may end it.
- * POST: answers with the drawing of the text for the parameter
- * values in the body, which the side (aside.h) makes; `id` is the window's name for the request. */
+/* GET: answers with the current drawing in a format; a saved file may interrupt it. POST: answers with the drawing that
+ * the model has for the parameter values in the body. The side (aside.h) makes it; `id` is the window's name for the
+ * request. */
 static enum MHD_Result export(live_server *s, struct MHD_Connection *c, const live_text *values) {
   const char *format = query(s, c, "format"), *size = query(s, c, "size"), *id = query(s, c, "id");
   const vs_format_info *info = format != NULL ? vs_format_find(format) : NULL;
@@ -441,7 +441,7 @@ static enum MHD_Result dispatch(live_server *s, struct MHD_Connection *c, const 
       return answer_bytes(s, c, 200, assets[i].type, assets[i].from, (size_t)(assets[i].end - assets[i].from));
   if (get && strcmp(url, "/") == 0) return serve_page(s, c);
   if (strcmp(url, "/events") == 0 && strcmp(method, "HEAD") == 0)
-    return answer_bytes(s, c, 200, "text/event-stream", "", 0); /* a stream would not end */
+    return answer_bytes(s, c, 200, "text/event-stream", "", 0); /* answers HEAD without a stream, which would not end */
   if (get && strcmp(url, "/events") == 0) return serve_events(s, c);
   if (get && strcmp(url, "/scene") == 0) return serve_scene(s, c);
   if (get && strcmp(url, "/source") == 0) return serve_source(s, c);
@@ -486,8 +486,8 @@ static void connected(void *context, struct MHD_Connection *c, void **place, enu
   }
 }
 
-/* Returns the request of a connection, which libmicrohttpd passes to `handle` and to `completed`. uri: path and query
- * as the client sent them, before libmicrohttpd decodes %00, with which a text would end early. */
+/* Creates the request of a connection. libmicrohttpd later passes it to `handle` and to `completed`. uri: path and
+ * query as the client sent them, before libmicrohttpd decodes them. A decoded %00 would end the text early. */
 static void *begun(void *context, const char *uri, struct MHD_Connection *c) {
   (void)context, (void)c;
   request *r = calloc(1, sizeof *r);
@@ -501,7 +501,8 @@ static enum MHD_Result handle(void *context, struct MHD_Connection *c, const cha
   request *r = *state;
   (void)version;
   if (r == NULL) return MHD_NO;
-  if (!r->began) { /* the headers are known, and no byte of a body was read: a refused client sends none */
+  if (!r->began) { /* decides when the headers are read but no byte of the body: a refused client should not send its
+                    * body */
     r->began = true;
     live_refusal no = live_access_refuse(&s->http, c, &s->access, url, BODY_MOST);
     if (no.why == NULL && r->zero) no = (live_refusal){ 400, "the address contains %00\n" };
@@ -550,7 +551,8 @@ bool live_server_listen(live_server *s) {
     fprintf(stderr, "vs: no random numbers for the live view's token\n");
     return false;
   }
-  if (s->publish->alone != NULL) return live_access_hosts(&s->access, 0), true; /* nothing listens */
+  if (s->publish->alone != NULL) return live_access_hosts(&s->access, 0), true; /* a view without threads opens no
+                                                                                 * socket */
   s->socket = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
   if (s->socket >= 0 && bind(s->socket, (struct sockaddr *)&loopback, size) == 0 &&
       listen(s->socket, CONNECTIONS) == 0 && getsockname(s->socket, (struct sockaddr *)&loopback, &size) == 0) {

@@ -14,8 +14,8 @@ typedef struct live_server {
   void (*stop)(void *context); /* interrupts the current run of the model; any thread may call it */
   void *stop_context;
   const struct live_options *options; /* options of the view, of which the server uses the function `check` */
-  vs_scheme *names;                  /* interpreter that provides names for completion; may only be used with names_lock
-                                      * held */
+  vs_scheme *names;                  /* interpreter that provides the names for completion; a thread must hold
+                                      * names_lock while it uses this interpreter */
   pthread_mutex_t names_lock;
   int socket;                 /* the socket that listens, which the daemon closes; used if port is not 0 */
   struct MHD_Daemon *daemon;
@@ -26,8 +26,8 @@ typedef struct live_server {
 
 enum { LIVE_ADDRESS = 96 };
 
-/* Opens the server's socket on a free port, and sets socket, port and access. From then on browsers may connect; their
- * requests wait for live_server_open. Returns false after a message on standard error. */
+/* Opens the server's socket on a free port, and sets the members socket, port and access. Browsers may then connect,
+ * but receive answers only after live_server_open. Returns false after a message on standard error. */
 bool live_server_listen(live_server *s);
 /* Starts the server; the members http, publish, model and stop must be set. Returns false after a message on standard
  * error. */

@@ -23,8 +23,8 @@ static void waits(live_waiting *w, live_waiter *c) { /* Records that connection 
   }
   if (count <= WAITING_MOST) return;
   longest->since = 0;
-  shutdown(longest->socket, SHUT_RDWR); /* shuts down the connection that has waited longest; its thread then reads the
-                                         * end of the stream, and closes it */
+  shutdown(longest->socket, SHUT_RDWR); /* shuts down the connection that has waited longest; the thread of that
+                                         * connection then reads an end of the stream, and closes the connection */
 }
 
 live_waiter *live_waiter_begin(live_waiting *w, int socket) {

@@ -1,8 +1,8 @@
-/* Finds the functions of the libraries that are linked into the program, by the calls that load libraries elsewhere.
+/* Implements dlopen and dlsym for the libraries that are linked into the playground's program.
  *
- * WebAssembly has no shared libraries. geometry/dynamic.c asks dlopen and dlsym for a library by its file's name. Here
- * these functions answer from the table linked.def. The build makes it: names in the sources that the linked archives
- * define. A library that is not linked is missing, as on a machine where it is not installed. */
+ * WebAssembly has no shared libraries. geometry/dynamic.c calls dlopen with a library's file name, and dlsym with a
+ * function's name. Here these functions search the table linked.def. The build generates the table from the names in
+ * the sources that the linked archives define. A library that is not linked counts as not installed. */
 #include <dlfcn.h>
 #include <expat.h>
 #include <geos_c.h>
@@ -22,14 +22,14 @@
 typedef void function(void);
 typedef struct { const char *name; function *at; } linked;
 
-/* In the order of strcmp. */
+/* Table of the linked functions, sorted by name in the order of strcmp. */
 static const linked functions[] = {
 #define LINKED(name) { #name, (function *)(name) },
 #include <linked.def>
 #undef LINKED
 };
 
-/* The beginnings of the files' names. */
+/* Beginnings of the file names of the libraries that dlopen accepts. */
 static const char *const libraries[] = { "libexpat.", "libfreetype.", "libgeos_c.", "libjansson.",
                                          "libmicrohttpd.", "libpng16.", "libz." };
 

@@ -26,7 +26,8 @@ struct MHD_Daemon { MHD_AccessHandlerCallback handle; MHD_RequestCompletedCallba
   void *(*begun)(void *context, const char *uri, struct MHD_Connection *c);
   void *context, *completed_context, *begun_context; };
 
-/* The one server, and the response that stays open: functions of libmicrohttpd have no other place for them. */
+/* The only server, and the response for events, which stays open. They are static because libmicrohttpd's functions
+ * cannot receive them as arguments. */
 static struct MHD_Daemon server;
 static response *open_response;
 static int open_request;
@@ -81,7 +82,8 @@ const char *MHD_lookup_connection_value(struct MHD_Connection *c, enum MHD_Value
     if (strcmp(name, "Host") == 0) return m->host;
     return strcmp(name, "X-VS-Token") == 0 ? m->token : NULL;
   }
-  for (const char *at = m->query; *at != 0;) { /* the query is NAME 0 VALUE 0 ... 0 */
+  for (const char *at = m->query; *at != 0;) { /* the query contains names and values, each terminated by NUL; an empty
+                                                * name ends it */
     const char *value = at + strlen(at) + 1;
     if (strcmp(at, name) == 0) return value;
     at = value + strlen(value) + 1;
@@ -131,7 +133,7 @@ enum MHD_Result MHD_queue_response(struct MHD_Connection *c, unsigned status, st
 }
 
 void MHD_destroy_response(struct MHD_Response *r) {
-  if (r == open_response) return; /* its reader still needs it */
+  if (r == open_response) return; /* does not free the response: the window still receives its bytes */
   if (r->done != NULL) r->done(r->context);
   free(r->bytes);
   free(r);

@@ -1,5 +1,5 @@
-/* The program of the playground: a live view of one model in a file of the page, without threads. A worker of the page
- * calls the functions marked as kept. */
+/* The program of the playground: a live view of one model without threads. A worker of the page calls the functions
+ * marked EMSCRIPTEN_KEEPALIVE. */
 #include <emscripten.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,7 +10,7 @@
 #include "live/serve.h"
 #include "live/playground/message_server.h"
 
-/* The one view, which the functions called from JavaScript have no other way to find. */
+/* The options of the only view. They are static because functions called from JavaScript cannot receive them. */
 static live_options options;
 static live_follower *view;
 static volatile sig_atomic_t ended;
@@ -26,7 +26,7 @@ EM_JS(void, playground_part, (int id, const void *bytes, size_t count), {
 /* Opens the view of a file. Returns false after a message on standard error. The memory limit of a program is that of
  * the page: an allocation beyond it fails, and the program ends with an error. */
 EMSCRIPTEN_KEEPALIVE bool playground_open(const char *model) {
-  static char *path; /* a copy, which the view uses until it is closed */
+  static char *path; /* a copy of the file's name, which the view uses until it is closed */
   if (view != NULL) live_alone_close(view);
   free(path);
   path = strdup(model);
