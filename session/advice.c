@@ -1,5 +1,5 @@
 /* Computes the advice that is added to error messages. From the program's text and the arguments of the failed call, it
- * guesses the form that the user meant. The arguments are in the payload of the error (vm/machine/arguments.c). A
+ * guesses the form that the user meant. The error object's payload contains these arguments (vm/machine/arguments.c). A
  * payload of #t means that the called value is no procedure (vm/machine/run_failures.h). */
 #include "session/advice.h"
 
@@ -36,7 +36,8 @@ static bool find_place(const vs_session *s, vs_span span, place *out) {
       if (at) at++;
     }
     if (!at) return false;
-    for (uint32_t c = 1; c < span.column && at < end && *at != '\n'; c++) /* columns count characters, not bytes */
+    for (uint32_t c = 1; c < span.column && at < end && *at != '\n'; c++) /* the span's columns count characters, not
+                                                                           * bytes */
       for (at++; at < end && ((unsigned char)*at & 0xC0) == 0x80;) at++;
     *out = (place){ source, at, end };
     return at < end;
@@ -66,8 +67,8 @@ static vs_text_place view_of(place p) {
 
 /* ---- undefined names ---- */
 
-/* Returns true if the line assigns the name as other languages do: "x = 5" or "x := 5". Sets *value to the text after
- * the sign. */
+/* Returns true if the text at p is an assignment in another language's form, "x = 5" or "x := 5". name: the length of x
+ * in bytes. Sets *value to the text after the sign. */
 static bool is_assignment(place p, size_t name, const char **value, size_t *length) {
   const char *at = p.at + name;
   while (at < p.end && (*at == ' ' || *at == '\t')) at++;
@@ -108,9 +109,9 @@ static const char *operator_around(place p, size_t *length, const char **before,
   return NULL;
 }
 
-/* Calls and keywords whose argument must be a text or a quoted word. A plain name is a frequent mistake: (color crimson
- * o), (units cm), #:align center. A row with `words` applies only to these words, and replaces other advice. first: the
- * row applies only to the first argument. */
+/* Calls and keywords whose argument must be a text or a quoted word. Users often write a plain name instead: (color
+ * crimson o), (units cm), #:align center. If `words` is not NULL, the row applies only to these words, and its advice
+ * replaces other advice. first: whether the row applies only to the first argument. */
 static const struct { const char *operators, *keywords, *words; bool first; const char *mark, *what; } meant[] = {
   { "color", "#:color #:pattern-color", NULL, true, "\"", "the name of a colour is a text" },
   { "layer", "", NULL, true, "\"", "the name of a layer is a text" },
@@ -146,8 +147,8 @@ static bool advise_word(place p, size_t n, size_t bare, vs_text *t) {
   return true;
 }
 
-/* Returns the length of an operator that follows its first operand, as in "(x > 3)", or 0. The first operand has n
- * characters at p. *operand and *length receive the second operand if it is a single word. */
+/* Returns the length of an operator that is written after its first operand, as in "(x > 3)", or 0 if there is none.
+ * The first operand has n characters at p. *operand receives the second operand if that is a single word. */
 static size_t operator_behind(const char *p, size_t n, const char *end, const char **operator, const char ** operand,
                               size_t *length) {
   uint32_t unused = 0;
@@ -199,7 +200,7 @@ static bool advise_unbound(place p, vs_span at, vs_text *t) {
   if (!call && !vs_text_advise_operator(view_of(p), t)) return false;
   if (t->count != before) return true;
   if (line >= at.line && line) {
-    t->count = bare; /* removes the advice about a similar name, which was probably not meant */
+    t->count = bare; /* removes the advice that was appended about a similar name */
     return vs_text_printf(t, " yet: line %u defines it, after this use; move the definition up", (unsigned)line);
   }
   if (is_assignment(p, n, &value, &m)) {
@@ -296,8 +297,8 @@ static bool advise_arity(vs_scheme *vm, vs_value payload, vs_text *t) {
   for (vs_value l = vs_cdr(payload); vs_is_pair(l) && n < VS_MAX_ARGUMENTS; l = vs_cdr(l)) a[n++] = vs_car(l);
   char text[300];
   const vs_bind_param *first = p ? p->form[0].at : NULL;
-  /* Almost all arguments of the procedure must be keyword arguments, as in (sun 210 35), which lacks the keywords. At
-   * most one argument is positional, and it is optional. */
+  /* advises that the procedure needs keyword arguments: the call has only positional arguments, as in (sun 210 35), but
+   * at most one of the procedure's arguments is positional */
   if (p && p->key[0].mode != VS_ARG_END && n &&
       (first->mode == VS_ARG_END || (first->mode == VS_ARG_OPTIONAL && first[1].mode == VS_ARG_END && n > 1))) {
     if (!vs_text_printf(t, "; its arguments have names: (%s", name)) return false;
@@ -307,8 +308,8 @@ static bool advise_arity(vs_scheme *vm, vs_value payload, vs_text *t) {
   }
   if (p && vs_bind_grouped(vm, p, &(vs_plain_call){ name, a, n }, text, sizeof text))
     return vs_text_printf(t, "; perhaps %s", text);
-  if (p && p->form[1].used) { /* the procedure has several forms, but the message states the number of arguments of a
-                               * single form */
+  if (p && p->form[1].used) { /* the procedure has several argument lists, but the message states the number of
+                               * arguments of only one */
     vs_bind_forms(p, name, text, sizeof text);
     return vs_text_printf(t, "; it %s", text);
   }
@@ -416,8 +417,8 @@ void vs_session_advise_named(vs_session *s, vs_value v, vs_pos pos) {
   const char *more = p.at + n;
   while (more < p.end && (*more == ' ' || *more == '\t')) more++;
   if (!n || n > 80 || more == p.end || strchr("\r\n;)]", *more)) return;
-  size_t assigned = vs_outline_word(more, p.end); /* returns without advice for const r = 3: the error about r
-                                                   * follows */
+  size_t assigned = vs_outline_word(more, p.end); /* gives no advice for a form such as const r = 3: the undefined
+                                                   * variable r will cause an error with advice */
   const char *sign = more + assigned + (more + assigned < p.end && more[assigned] == ' ');
   if (assigned && sign < p.end && *sign == '=') return;
   uint32_t line = 0;

@@ -4,8 +4,8 @@
 
 #include "session/session.h"
 
-/* Appends advice to the error's text t, or replaces t by a better text. `at` is the place shown for the error. Returns
- * false when memory is out. */
+/* Appends advice to the error's text t, or replaces t by a better text. at: the place that the error report shows.
+ * Returns false when memory is out. */
 bool vs_session_advise(vs_session *s, vs_value condition, vs_span at, vs_text *t);
 bool vs_session_advise_empty(vs_session *s, vs_text *t); /* Appends advice to the message "nothing is drawn". Returns
                                                           * false when memory is out. */

@@ -22,11 +22,11 @@
 #include "vm/values/heap.h"
 #include "vm/values/printer.h"
 
-/* SHOWN: greatest length of a shown value in bytes */
-enum { SHOWN = 1000, LINE = 200 /* LINE: greatest length of a shown expression in bytes */ };
+/* SHOWN: greatest length in bytes of a value's text in a report */
+enum { SHOWN = 1000, LINE = 200 /* LINE: greatest length in bytes of an expression's text in a report */ };
 
-/* Indices of the garbage collector's roots of a check: the check, the results of its procedures, the differences, and
- * two intermediate values. */
+/* Indices in the array of values that the garbage collector visits during a check: the check, the results of its
+ * procedures, the differences, and two intermediate values. */
 enum { CHECK, ACTUAL, EXPECTED, TOLERANCE, FOUND, SHOWN_AS, WORK, ROOTS };
 
 typedef struct {
@@ -47,7 +47,7 @@ static bool put_cut(vs_scheme *vm, vs_value v, size_t most, vs_text *t) {
   return ok;
 }
 
-/* Calls a procedure of the library that programs cannot name. Returns false if the call fails. */
+/* Calls a procedure of the library that has no name in programs. Returns false if the call fails. */
 static bool call_library(trial *c, const char *name, size_t n, const vs_value *argv, vs_value *out) {
   vs_scheme *vm = c->session->bind.vm;
   if (!vs_intern_c(vm, name, &c->r[WORK])) return false;
@@ -80,7 +80,7 @@ static bool put_failure(trial *c, vs_text *t) {
 /* ---- deciding whether a check passes ---- */
 
 /* Calls a procedure of the check. Stores its value in r[root], and appends the value as text to `told`. If the call
- * fails, appends the error instead, and returns false. */
+ * fails, appends the text of the error instead, and returns false. */
 static bool ask(trial *c, int word, int root, vs_text *told) {
   vs_scheme *vm = c->session->bind.vm;
   c->r[WORK] = vs_as_vector(c->r[CHECK])->at[word];
@@ -129,7 +129,7 @@ static void objects_of(vs_value pair, vs_ref objects[2]) {
   objects[1] = vs_bind_take_ref(vs_car(pair));
 }
 
-/* Returns true if the objects agree in their parts, in each pair of objects in r[FOUND]. */
+/* Returns true if the parts of the objects agree, for each pair of objects in the list r[FOUND]. */
 static bool objects_agree(trial *c) {
   bool same = true;
   for (vs_value l = c->r[FOUND]; same && vs_is_pair(l); l = vs_cdr(l)) {

@@ -1,5 +1,6 @@
 /* Implements the comparison of two drawings (visualscheme.h). It keeps the first drawing, and reports the parts of the
- * second drawing that differ (solids/changed_parts.h). Both drawings are compared without marks such as highlights. */
+ * second drawing that differ (solids/changed_parts.h). Marks such as highlights are removed from the drawings before
+ * the comparison. */
 #include "session/comparison.h"
 
 #include <string.h>
@@ -33,7 +34,7 @@ vs_outcome vs_drawing_keep(vs_scheme *vm) {
 
 /* ---- the text that describes a part ---- */
 
-enum { TOLD = 100 /* greatest length of an expression in bytes */ };
+enum { TOLD = 100 /* greatest length in bytes of the expression that describes a part */ };
 typedef struct { char text[TOLD + 8]; size_t count; bool cut; } told;
 
 /* Appends to the text until it has TOLD bytes. Returns false when it is full. */
@@ -62,9 +63,11 @@ static void tell(told *t, const vs_drawn_part *p, vs_part_info *out) {
     }
     put_told(t, "))", 2);
   } else if (placed) put_told(t, " ...)", 5);
-  while (t->cut && t->count && ((unsigned char)t->text[t->count - 1] & 0xc0) == 0x80) t->count--; /* the text is cut
-                                                                                                   * between two
-                                                                                                   * characters */
+  while (t->cut && t->count && ((unsigned char)t->text[t->count - 1] & 0xc0) == 0x80) t->count--; /* removes the bytes
+                                                                                                   * of an incomplete
+                                                                                                   * character from the
+                                                                                                   * end of a text that
+                                                                                                   * was cut */
   if (t->cut && t->count && (unsigned char)t->text[t->count - 1] >= 0xc0) t->count--;
   strcpy(t->text + t->count, t->cut ? " ..." : "");
   const vs_origin *at = p->thing.origin;
@@ -78,7 +81,8 @@ typedef bool each_part(void *context, vs_part_difference what, const vs_part_inf
  * after[i]: match of part i of b. */
 typedef struct {
   vs_drawn_parts a, b;
-  vs_part_match *before, *after; /* arrays in one block; `before` is NULL until they are allocated */
+  vs_part_match *before, *after; /* the arrays are in one block of memory; `before` is NULL until the block is
+                                  * allocated */
   size_t bytes;
 } pairing;
 
@@ -204,8 +208,8 @@ bool vs_session_swell(vs_session *s, size_t number, vs_ref *ref, vs_error *e) {
   vs_kernel_options options = { .job = &s->job, .cache = vs_store_cache(s->bind.store) };
   const struct vs_material *paint = VS_AS(material, s->change[number].node->children[0].node);
   vs_node *n = s->change[number].node->children[0].node->children[0].node, *swollen;
-  if (!strcmp(paint->material->name, shown[VS_CHANGES - 1].paint.name)) return true; /* unchanged parts are not
-                                                                                      * enlarged */
+  if (!strcmp(paint->material->name, shown[VS_CHANGES - 1].paint.name)) return true; /* an unchanged part keeps its
+                                                                                      * size */
   if (!vs_drawn_parts_swell(n, vs_bind_tolerance(s->bind.vm), &options, &swollen, e)) return false;
   swollen = painted(s->bind.store, swollen, paint->material);
   if (!swollen) return vs_error_memory(e, NULL);

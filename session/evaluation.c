@@ -1,4 +1,5 @@
-/* Begins and ends an evaluation. Limits are counted from its beginning; at its end, its outcome is computed. */
+/* Begins and ends an evaluation. The limits of time, steps and output are counted from its beginning. Its outcome is
+ * computed at its end. */
 #include "session/evaluation.h"
 
 #include <string.h>
@@ -36,7 +37,7 @@ vs_outcome vs_session_finish(vs_session *s, bool ok, bool usage) {
   vs_scheme *vm = s->bind.vm;
   ok = vs_session_pass(s, ok);
   vm->step.mode = VS_STEP_CONTINUE, vm->step.stops = false; /* calls after the evaluation, such as those of drawing
-                                                             * functions, must not stop for the debugger */
+                                                             * functions, do not stop for a debugger */
   vs_session_release_objects(s);
   s->phase = NULL;
   vs_tally_enter(&s->tally, VS_WORK_NONE);

@@ -11,8 +11,8 @@
 
 enum { LONGEST = 100 };
 
-/* Rank of the file name `best`: 3: differs only in case; 2: has an additional suffix; 1: differs in one letter; 0: no
- * name was found. */
+/* rank: how well the file name `best` matches the wanted name. 3: the names differ only in case; 2: `best` has an
+ * additional suffix; 1: they differ in one letter; 0: no name was found. */
 typedef struct { const char *wanted; char best[LONGEST + 1]; int rank; } search;
 
 /* Returns true if the names, ignoring case, differ by one letter: a replaced, missing or additional letter, or two
@@ -37,8 +37,8 @@ static bool take(void *context, const char *name, size_t length) {
              : !strchr(s->wanted, '.') && !strncasecmp(found, s->wanted, n) && found[n] == '.' ? 2
              : is_slip(s->wanted, found)                                                          ? 1
                                                                                                   : 0;
-  /* Of several names of equal rank, the first in alphabetical order is used. The advice therefore does not depend on
-   * the order of a folder. */
+  /* If several names have equal rank, chooses the first in alphabetical order. The advice therefore does not depend on
+   * the order in which the folder is listed. */
   if (!rank || rank < s->rank || (rank == s->rank && strcmp(found, s->best) >= 0)) return true;
   memcpy(s->best, found, length + 1);
   s->rank = rank;

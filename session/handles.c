@@ -1,9 +1,10 @@
 /* Implements a host's handles: numbers that refer to values of a program. Contains the table of handles, and the
  * functions by which hosts create and read values.
  *
- * A handle contains the index of a table entry and a stamp. The stamp of an entry changes with each new use, and each
- * interpreter begins with another stamp. A handle that was released, or belongs to another interpreter, is therefore
- * detected. The values themselves are in a vector of the heap, where the garbage collector finds them. */
+ * A handle consists of the index of a table entry and a stamp. The entry gets a new stamp each time it is used for
+ * another value, and two interpreters begin with different stamps. A released handle, or a handle of another
+ * interpreter, is therefore detected. The values themselves are in a vector of the heap, which the garbage collector
+ * visits. */
 #include "session/handles.h"
 
 #include <stdarg.h>
@@ -23,7 +24,7 @@
 #include "vm/numbers/number_text.h"
 #include "vm/values/heap.h"
 
-enum { HOST_HELD = 5 }; /* index in at.host, where the vector of the handles' values is stored */
+enum { HOST_HELD = 5 }; /* index in the VM's vector at.host of the vector that contains the handles' values */
 
 /* ---- errors ---- */
 
@@ -131,8 +132,8 @@ void vs_handle_release(vs_scheme *vm, vs_handle h) {
 
 /* ---- the host's objects ---- */
 
-/* An object of the host, to which a value of the heap refers. When the collector frees that value, the object is put in
- * the list `gone`; the host's release function is called after the collection. */
+/* An object of the host, to which a value of the heap refers. When the garbage collector frees that value, it puts the
+ * object into the list `gone`. After the collection, the host's release function is called for the object. */
 struct vs_host_object {
   vs_session *session;
   void *object;
@@ -165,8 +166,8 @@ vs_handle vs_handle_host(vs_scheme *vm, void *object, void (*release)(void *cont
   VS_ROOTS(vm, r, 1);
   vs_host_object *o = table(s) ? vs_session_memory(s, NULL, 0, sizeof *o) : NULL;
   if (!o) return vs_session_out_of_memory(s), 0;
-  *o = (vs_host_object){ .session = s, .object = object }; /* the member `release` is not set yet: if memory is out
-                                                            * below, the object remains the host's */
+  *o = (vs_host_object){ .session = s, .object = object }; /* the member `release` is not set yet: if memory runs out
+                                                            * below, the host still owns the object */
   if (!vs_make_foreign(vm, &host_object_type, o, sizeof *o, &r[0])) return vs_session_out_of_memory(s), 0;
   vs_handle made = vs_session_hold(s, r);
   if (made) o->release = release, o->context = context;
@@ -356,8 +357,8 @@ vs_handle vs_lookup(vs_scheme *vm, const char *name) {
   VS_ROOTS(vm, r, 1);
   if (!vs_intern(vm, name, strlen(name), &r[0])) return vs_session_out_of_memory(vs_session_of(vm)), 0;
   vs_meaning m = vs_environment_find(vm->at.program, r[0]);
-  /* A program in another language does not see Scheme's names, so the core library is searched, too. Procedures whose
-   * names begin with % are internal, and are not found. */
+  /* A program in another language cannot name Scheme's procedures, so the core library is searched, too. A name that
+   * begins with % belongs to an internal procedure, and is not found. */
   if (m.kind != VS_MEANS_CELL && name[0] != '%') m = vs_environment_find(vm->at.core, r[0]);
   if (m.kind != VS_MEANS_CELL || vs_as_cell(m.value)->value == VS_UNDEFINED)
     return usage(vs_session_of(vm), "vs_lookup: %.200s is not defined", name), 0;
@@ -370,9 +371,10 @@ vs_handle vs_lookup(vs_scheme *vm, const char *name) {
 static vs_outcome run(vs_session *s, const vs_value *procedure, size_t count, const vs_value *argv, vs_value *result) {
   vs_scheme *vm = s->bind.vm;
   VS_ROOTS(vm, r, 1);
-  uint64_t stopped = vm->top_place; /* stores the place of a stopped program, which is restored when it continues */
+  uint64_t stopped = vm->top_place; /* saves the place at which a program has stopped; it is restored after the call,
+                                     * for when the program continues */
   vs_session_begin(s, 0);
-  vm->top_place = 0; /* the host's call has no place in a source text */
+  vm->top_place = 0; /* a call from the host has no place in a source text */
   bool ok = vs_run(vm, *procedure, count, argv, &r[0]);
   if (ok && result) *result = r[0];
   vs_outcome outcome = vs_session_finish(s, ok, false);

@@ -5,11 +5,11 @@
 
 #include "session/session.h"
 
-/* An entry of the table of handles. The handle's value is in the heap, at the same index of a vector in at.host. uses:
- * number of references by the host; 0: the entry is free */
+/* An entry of the table of handles. The entry's value is in the heap, at the same index in a vector of at.host. uses:
+ * number of the host's references to the handle; 0: the entry is free */
 typedef struct { uint32_t stamp, uses, next; } vs_held;
 
-/* A procedure of the host. The Scheme procedure that calls it contains its index. */
+/* A procedure of the host. A Scheme procedure that contains the index of this entry calls the host's procedure. */
 typedef struct { vs_host_fn *fn; void *context; const char *name; /* name: owned by the store */ } vs_host_entry;
 
 typedef struct { vs_handle property, value; } vs_posted;
@@ -33,9 +33,10 @@ struct vs_handles {
   vs_host_object *gone; /* list of host objects without references whose release function must still be called */
 };
 
-void vs_session_forget_handles(vs_session *s); /* Deletes all handles, since their heap is freed. */
+void vs_session_forget_handles(vs_session *s); /* Deletes all handles, because the heap that contains their values is
+                                                * freed. */
 void vs_session_free_handles(vs_session *s);
-/* Calls the host's release function for each object to which no value refers any more. */
+/* Calls the host's release function for each host object to which no value refers any more. */
 void vs_session_release_objects(vs_session *s);
 
 /* Sets *out to the value of handle h. If h was released or belongs to another interpreter, reports an error and returns

@@ -32,7 +32,7 @@ static void *session_memory(vs_session *s, void *old, size_t old_bytes, size_t b
   return p;
 }
 
-/* Allocates, reallocates or frees memory. If memory is out, removes results from the cache and tries again. */
+/* Allocates, reallocates or frees memory. If memory is out, removes results from the cache and allocates again. */
 void *vs_session_memory(void *session, void *old, size_t old_bytes, size_t bytes) {
   vs_session *s = session;
   void *p = session_memory(s, old, old_bytes, bytes);
@@ -199,12 +199,12 @@ static bool continue_source(vs_session *s, vs_source *old, unsigned first_line, 
   return true;
 }
 
-/* A text longer than MOST is cut; messages about later places then show no line. */
+/* A text longer than MOST bytes is cut; messages about places after the cut show no source line. */
 bool vs_session_keep_source(vs_session *s, const char *name, unsigned first_line, const char *text, size_t length) {
   enum { MOST = 1 << 22 };
   size_t i = 0, bytes = strlen(name) + 1, room = length < MOST ? length : MOST;
-  if (room > 0 && !memchr(text, '\n', room) && room == MOST) room = 0; /* a text without a line end is binary data, and
-                                                                        * not kept */
+  if (room > 0 && !memchr(text, '\n', room) && room == MOST) room = 0; /* a long text without a line end is probably
+                                                                        * binary data, and is not kept */
   while (i < s->source_count && strcmp(s->sources[i].name, name)) i++;
   if (i < s->source_count && continue_source(s, &s->sources[i], first_line, text, length)) return true;
   if (i == s->source_room) {
@@ -264,7 +264,8 @@ static int64_t open_stream(void *session, const char *path, vs_io_mode mode, con
 
 static ptrdiff_t read_console(vs_session *s, void *to, size_t room) {
   const vs_host *h = &s->options.host;
-  vs_stream *in = &s->stream[VS_IO_STDIN]; /* the text after the last line end of standard input is the last line */
+  vs_stream *in = &s->stream[VS_IO_STDIN]; /* at the end of standard input, text after the last line end counts as a
+                                            * line */
   if (in->at == in->length) {
     size_t n;
     const char *line = h->input ? h->input(h->context, &n) : NULL;

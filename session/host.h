@@ -11,14 +11,17 @@ double vs_session_clock(void *session);                                         
                                                                                     * seconds. */
 bool vs_session_interrupted(void *session); /* returns true to interrupt the VM: on a request of the host, or if the
                                              * current output exceeds its time limit */
-/* The callback vs_job.going of a session: reports progress to the host. Returns false if the host interrupts. */
+/* The callback vs_job.going of the session's jobs: reports progress to the host. Returns false if the host
+ * interrupts. */
 bool vs_session_going(void *session, const char *stage, double fraction);
-/* Returns limits, progress and messages for work that is not an output; such work has no limits of its own. */
+/* Returns the job (limits, progress and messages) for work other than an output; this job has no time limit of its
+ * own. */
 vs_job vs_session_job(vs_session *s);
-/* Reads a whole file as text, which the caller frees. source: also keeps the text, for messages. If it fails, returns
- * false and sets *why to the reason. */
+/* Reads a whole file as text, which the caller frees. If `source` is true, also keeps a copy of the text, whose lines
+ * messages show. On failure, returns false and sets *why to the reason. */
 bool vs_session_read(vs_session *s, const char *path, bool source, char **text, size_t *length, const char **why);
-/* Reports that the file could not be read, for the reason `why` of vs_session_read. Returns the outcome. */
+/* Reports that the file could not be read. why: the reason that vs_session_read has set. Returns the outcome of the
+ * failure. */
 vs_outcome vs_session_unread(vs_session *s, const char *path, const char *why);
 bool vs_session_keep_source(vs_session *s, const char *name, unsigned first_line, const char *text, size_t length);
 void vs_session_close_files(vs_session *s);

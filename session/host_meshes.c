@@ -1,9 +1,9 @@
 /* Implements the meshes for a host (vs_mesh_next). A back-end without an output file keeps one mesh, and the
  * placements, of each distinct shape. It compares these shapes with the meshes that the host already has.
  *
- * The id of a shape is a hash of its node, the fineness and its material. A shape that the host already has is
- * therefore recognised before its mesh is computed. All memory is the session's, so that limits apply. The mesh of a
- * new shape is copied once from the driver's. */
+ * The id of a shape is a hash of its node, its material and the tolerances of the mesh. A shape that the host already
+ * has is therefore recognised before its mesh is computed. All memory is allocated by the session, so that the user's
+ * memory limit applies. */
 #include "session/host_meshes.h"
 
 #include <string.h>
@@ -22,7 +22,7 @@ typedef struct {
   uint64_t id, places_hash;
   size_t place_count, place_room;
   double (*places)[3][4];
-  bool made;               /* whether the host does not have this shape yet; only then its mesh is made */
+  bool made;               /* whether the host does not have this shape yet, so that its mesh must be made */
   vs_mesh mesh;            /* the mesh, whose arrays are allocated by the session */
   vs_shading shading;      /* the normals, whose arrays are allocated by the session */
   vs_mesh_part *parts;
@@ -32,7 +32,8 @@ typedef struct {
 typedef struct {
   shape *at;
   size_t count, room;
-  uint32_t *slots;         /* hash table from id to index + 1; its size is a power of two */
+  uint32_t *slots;         /* hash table from the id of a shape to the shape's index + 1; the number of slots is a power
+                            * of two */
   size_t slot_count;
 } shapes;
 
@@ -158,7 +159,8 @@ static void paint(vs_mesh_part *p, const vs_material *m, const char *layer, cons
   if (o) p->file = o->file, p->line = o->line, p->column = o->column;
 }
 
-/* Copies the driver's mesh, which is valid only until the driver makes its next mesh. */
+/* Copies the driver's mesh `from` to the shape f. The driver's mesh is valid only until the driver makes the next
+ * mesh. */
 static bool keep(vs_emitter *e, shape *f, const vs_solid *from, const vs_origin *origin, double crease) {
   vs_host_meshes *m = meshes_of(e);
   vs_session *s = m->session;
@@ -186,8 +188,8 @@ static bool keep(vs_emitter *e, shape *f, const vs_solid *from, const vs_origin 
   return vs_shading_make_in(e, vs_session_memory, s, &faces, &f->shading);
 }
 
-/* Returns the shape with this id; adds it if the drawing had no such shape yet. Sets *make if the caller must compute
- * its mesh. Returns NULL when memory is out. */
+/* Returns the shape with this id; adds the shape if the drawing does not contain it yet. Sets *make to true if the
+ * caller must compute the shape's mesh. Returns NULL when memory is out. */
 static shape *shape_of(vs_emitter *e, uint64_t id, bool *make) {
   vs_host_meshes *m = meshes_of(e);
   shape *f = find(&m->now, id);
@@ -199,8 +201,8 @@ static shape *shape_of(vs_emitter *e, uint64_t id, bool *make) {
   return f;
 }
 
-/* Returns true if the mesh of the node does not depend on the fineness. Returns false for curved nodes, and for nodes
- * with too many parts to examine. */
+/* Returns true if all surfaces of the node are flat, so that its mesh does not depend on the tolerance. Returns false
+ * for curved nodes, and for nodes with too many parts to examine. */
 static bool is_angular(const vs_node *n) {
   enum { MOST = 200 };
   const vs_node *wait[MOST];
@@ -215,7 +217,7 @@ static bool is_angular(const vs_node *n) {
       if (n->child_count > MOST - count) return false;
       for (uint32_t i = 0; i < n->child_count; i++) wait[count++] = n->children[i].node;
       break;
-    default: return false; /* a curved node, or a node whose children may be curved */
+    default: return false; /* a curved node, or a node of a kind that may be curved */
     }
   }
   return true;
@@ -280,7 +282,7 @@ static vs_emit_status host_line(vs_emitter *e, const vs_ref *ref, vs_phase phase
   return place(e, f, &e->placement) ? VS_EMITTED : VS_FAILED;
 }
 
-/* Accepts a placement, material, layer or union, whose children follow; keeps the name of the layer. */
+/* Accepts a placement, material, layer or union; the driver emits its children next. Keeps the name of a layer. */
 static vs_emit_status host_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   vs_host_meshes *m = meshes_of(e);
   if (ref->node->kind != VS_LAYER) return VS_EMITTED;
@@ -329,13 +331,13 @@ vs_outcome vs_meshes_begin(vs_scheme *vm, const vs_output_options *options) {
   if (vs_session_busy(s, "vs_meshes_begin")) return VS_OUTCOME_USAGE;
   vs_host_meshes *m = open_meshes(s);
   if (!m) return VS_OUTCOME_MACHINE;
-  if (m->open) { /* the last drawing was not passed completely: its remaining shapes are treated as new, since the host
-                  * does not have them */
+  if (m->open) { /* the host did not receive all shapes of the last drawing: the shapes that it did not receive are
+                  * treated as new */
     drop_shapes(s, &m->now);
     m->open = false;
   }
   vs_output_options o = options ? *options : vs_output_options_default();
-  o.passes &= ~(1u << VS_PASS_FOLD); /* the pass fold is not used, because it would make copies of a shape different
+  o.passes &= ~(1u << VS_PASS_FOLD); /* omits the pass fold, which would turn the copies of a shape into different
                                       * nodes */
   vs_byte_sink nowhere = { take_nothing, NULL };
   vs_outcome outcome = vs_session_write(s, NULL, &m->format, &o, &nowhere);
@@ -357,7 +359,7 @@ static uint64_t id_of_material(vs_host_meshes *m, const char *name) {
   return id;
 }
 
-/* Ends the passing of a drawing: the host now has all its shapes. Returns false. */
+/* Ends the transfer of a drawing's shapes, after the host has received all of them. Returns false. */
 static bool end_round(vs_host_meshes *m) {
   drop_shapes(m->session, &m->had);
   m->had = m->now, m->now = (shapes){ 0 };
@@ -382,8 +384,8 @@ bool vs_mesh_next(vs_scheme *vm, vs_mesh_info *out) {
   vs_host_meshes *m = s->meshes;
   *out = (vs_mesh_info){ 0 };
   if (!m || !m->open || vs_session_busy(s, "vs_mesh_next")) return false;
-  if (m->last) drop_shape(s, &m->now.at[m->last - 1]); /* of a shape that was passed to the host, only the id and the
-                                                        * hash of placements are kept */
+  if (m->last) drop_shape(s, &m->now.at[m->last - 1]); /* frees the mesh of the shape that the host received last; keeps
+                                                        * only the id and the hash of the placements */
   m->last = 0;
   while (m->removed < m->had.count) {
     const shape *f = &m->had.at[m->removed++];

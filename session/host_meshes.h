@@ -1,5 +1,4 @@
-/* Declares the meshes that a host receives of a drawing, by the hash of each shape, with their placements. Implemented
- * in host_meshes.c. */
+/* Declares the meshes of a drawing that a host receives (vs_mesh_next), implemented in host_meshes.c. */
 #ifndef VS_SESSION_HOST_MESHES_H
 #define VS_SESSION_HOST_MESHES_H
 

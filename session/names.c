@@ -18,7 +18,7 @@
 #include "vm/machine/activation.h"
 #include "vm/front/suggest.h"
 
-/* Returns a copy of the text that lives as long as the store; "" when memory is out. */
+/* Returns a copy of the text that is valid as long as the store; returns "" when memory is out. */
 static const char *kept(vs_session *s, vs_text *t) {
   const char *text = vs_text_end(t) ? vs_store_text(s->bind.store, t->at, t->count) : NULL;
   return text ? text : "";
@@ -29,7 +29,8 @@ static bool put(vs_text *t, const char *a, const char *b, const char *c) { retur
 
 /* ---- meanings of names ---- */
 
-static const char *const all_forms[] = { /* argument lists of special forms, which their definitions do not contain */
+static const char *const all_forms[] = { /* argument lists of the special forms, whose definitions do not contain such
+                                          * lists */
   "(define name value)\n(define (name parameter ...) body ...)", "define", "(if test then else)", "if",
       "(cond [test value ...] ... [else value ...])", "cond",
   "(let ([name value] ...) body ...)\n(let loop ([name value] ...) body ...)", "let",
@@ -94,8 +95,8 @@ static bool put_call(vs_text *t, vs_value f, const char *name) {
   return !form || put(t, "(", name, form + 1 + strcspn(form + 1, " )"));
 }
 
-/* Returns the native procedure that a procedure of geometry.scm calls, such as %subtract for subtract. The row of the
- * native in the table of procedures describes both. Returns #f if there is none. */
+/* Returns the native procedure that the procedure `name` of geometry.scm calls, such as %subtract for subtract. The
+ * native's row in the table of procedures describes the caller, too. Returns #f if there is no such native. */
 static vs_value helper_of(vs_scheme *vm, const char *name) {
   char room[80];
   vs_value symbol, value;
@@ -114,8 +115,8 @@ bool vs_name_get(vs_scheme *vm, const char *name, vs_name_info *out) {
   if (m.kind != VS_MEANS_CELL || vs_as_cell(m.value)->value == VS_UNDEFINED) return false;
   r[1] = vs_as_cell(m.value)->value;
   vs_meaning language = vs_environment_find(vm->at.core, r[0]);
-  /* If a program uses a name of the language, it has its own variable with the language's value. The name counts as the
-   * program's own only if the value differs. */
+  /* A program that uses a name of the language has a variable of its own with the language's value. The name counts as
+   * defined by the program only if the variable's value differs from the language's. */
   out->own = language.kind != VS_MEANS_CELL || vs_as_cell(language.value)->value != r[1];
   vs_text t;
   if (vs_is(r[1], VS_T_NATIVE) || vs_is(r[1], VS_T_CLOSURE) || vs_is(r[1], VS_T_CASE) || vs_is(r[1], VS_T_PARAMETER)) {
@@ -201,7 +202,7 @@ bool vs_call_get(vs_scheme *vm, size_t index, vs_call_info *out) {
   bool ok = true;
   for (size_t k = first + VS_CALL_VARIABLES; ok && k < first + VS_CALL_WORDS; k += 2) {
     vs_value symbol = vs_as_vector(r[0])->at[k];     /* reads the symbol again in each step, since printing may move the
-                                                      * vector */
+                                                      * vector that contains it */
     if (!vs_is_symbol(symbol)) break;
     ok = put(&t, t.count ? ", " : "", vs_as_symbol(symbol)->name, " = ") &&
          vs_session_put_value(vm, &t, vs_as_vector(r[0])->at[k + 1], 60);

@@ -8,8 +8,8 @@
 #include "session/host.h"
 #include "session/report.h"
 
-/* Calls a procedure of the language with the values of handles. Sets *result to a handle of its value, or to 0 if the
- * call fails. */
+/* Calls a procedure of the language with the values of `arguments`. Sets *result to a handle of the procedure's value,
+ * or to 0 if the call fails. */
 static vs_outcome call(vs_scheme *vm, const char *who, const char *procedure, const vs_handle *arguments, size_t count,
                        vs_handle *result) {
   enum { MOST = 5 };
@@ -197,15 +197,16 @@ vs_outcome vs_scene_frame(vs_scheme *vm, double seconds) {
   return outcome;
 }
 
-/* Passes an intersection that %pick-for-host has found to the callback. `hit` is a list (distance point node path file
- * line column); the last three are #f if unknown. */
+/* Passes an intersection of the mouse ray, which %pick-for-host has found, to the callback. `hit` is a list (distance
+ * point node path file line column); the last three items are #f if unknown. */
 static bool tell_hit(vs_scheme *vm, vs_handle hit, bool (*each)(void *context, vs_scheme *vm, const vs_hit *hit),
     void *context, bool *go_on) {
   enum { DISTANCE, POINT, NODE, PATH, FILE_NAME, LINE, COLUMN, PARTS };
   vs_handle part[PARTS] = { 0 };
   vs_hit told = { .file = NULL };
   double place[2] = { 0, 0 };
-  char *file = NULL; /* the callback may call vs_handle_text, which overwrites the text of a handle */
+  char *file = NULL; /* copies the texts, because the callback may call vs_handle_text, which overwrites the text that
+                      * it returned last */
   size_t bytes = 0;
   bool ok = true;
   for (size_t i = 0; ok && i < PARTS; i++) ok = (part[i] = vs_handle_item(vm, hit, i)) != 0;

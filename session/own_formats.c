@@ -1,9 +1,9 @@
 /* Implements the formats that a host defines (vs_register_format). Each is a back-end like those of the library; its
  * emit functions call the host's callbacks.
  *
- * As for every format, the driver walks the drawing, and replaces kinds of nodes without a callback by simpler kinds.
- * Placements, materials, layers and unions need no callback: each object is passed with its placement, material and
- * layer. */
+ * As for every format, the driver visits the nodes of the drawing, and replaces a node whose kind has no callback by
+ * simpler nodes. Placements, materials, layers and unions need no callback: each object is passed to the host with its
+ * placement, material and layer. */
 #include "session/own_formats.h"
 
 #include <string.h>
@@ -142,8 +142,8 @@ static vs_emit_status own_emit(vs_emitter *e, const vs_ref *ref, vs_phase phase)
   own_state *s = e->state;
   const char *layer = s->layer_count > 0 ? s->layers[s->layer_count - 1] : "";
   if (!own_layer(e, ref, phase)) return VS_FAILED;
-  if (row->write == NULL) return VS_EMITTED; /* without a callback, the node is a placement, material, layer or union,
-                                              * and its children follow */
+  if (row->write == NULL) return VS_EMITTED; /* without a callback, the node can only be a placement, material, layer or
+                                              * union, whose children are emitted next */
   static const vs_thing_phase phases[] = { [VS_PHASE_LEAF] = VS_THING_LEAF, [VS_PHASE_ENTER] = VS_THING_ENTER,
       [VS_PHASE_LEAVE] = VS_THING_LEAVE };
   const vs_material *m = e->material;
@@ -180,8 +180,9 @@ static bool own_fill(vs_session *s, vs_own_format *f, const vs_format_own *given
     f->kinds[kind] = given->kinds[i];
     f->backend.emit[kind].fn = own_emit;
   }
-  if (f->kinds[VS_POLYFACE_MESH].write == NULL) return false; /* the host must provide a callback for polyhedra, by
-                                                               * which all solids and surfaces can be replaced */
+  if (f->kinds[VS_POLYFACE_MESH].write == NULL) return false; /* the host must provide a callback for polyhedra, because
+                                                               * any solid or surface without a callback is replaced by
+                                                               * polyhedra */
   if (f->kinds[VS_HULL].write != NULL) f->backend.traits |= VS_SHOWS_HULLS;
   for (size_t i = 0; i < sizeof through / sizeof *through; i++) f->backend.emit[through[i]].fn = own_emit;
   char text[120];

@@ -30,7 +30,8 @@ const char *vs_session_source_line(const vs_session *s, const char *file, uint32
     size_t n = (size_t)((stop ? stop : end) - at);
     if (n && at[n - 1] == '\r') n--;
     if (n >= size)
-      for (n = size - 1; n && ((unsigned char)at[n] & 0xC0) == 0x80;) n--; /* the line is cut between two characters */
+      for (n = size - 1; n && ((unsigned char)at[n] & 0xC0) == 0x80;) n--; /* cuts the line between two characters, not
+                                                                            * within the bytes of a character */
     memcpy(room, at, n);
     room[n] = 0;
     return room;
@@ -128,8 +129,8 @@ static vs_outcome outcome_of(const vs_session *s, vs_value kind, bool usage) {
   return usage || s->bind.bad_parameter ? VS_OUTCOME_USAGE : VS_OUTCOME_MODEL;
 }
 
-/* Fills notes with the callers, and returns their number. Each link of the chain is a call inside a procedure; the
- * first is the call that failed. */
+/* Fills notes with the callers, and returns their number. chain: the calls that were active, innermost first; the first
+ * is the call that failed. */
 static size_t callers(vs_session *s, vs_value chain, vs_span at, vs_diagnostic_note *notes) {
   size_t n = 0;
   const char *before_file = at.file;
@@ -184,11 +185,11 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
   if (is_condition) {
     const vs_condition *c = vs_as_condition(r[0]);
     outcome = outcome_of(s, c->kind, usage);
-    /* limited: whether the error is that the memory limit was reached, which the host may also apply to its whole
+    /* limited: whether the error was caused by the user's memory limit, which the host may also apply to its whole
      * process */
     limited = c->kind == vm->sym.memory && s->options.limit_memory;
     late = c->kind == vm->sym.interrupt && is_late(s);
-    /* An error in a procedure of a macro has the place of the macro's use. */
+    /* an error in a procedure that a macro created is reported at the place where the program uses the macro */
     if (!vs_session_condition_place(s, c, &at)) vs_session_span(s, vm->top_place, &at);
     count = callers(s, vs_as_condition(r[0])->chain, at, notes);
     printed = printed && vs_session_advise(s, r[0], at, &t);
@@ -200,7 +201,7 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
     }
   }
   if (printed && vs_text_end(&t)) message = t.at;
-  /* without memory for the message, the outcome is a fault of the machine, unless the user interrupted */
+  /* if there is no memory for the message, the outcome is VS_OUTCOME_MACHINE, unless the user interrupted */
   else if (outcome != VS_OUTCOME_INTERRUPTED) outcome = VS_OUTCOME_MACHINE;
   if (late) {
     snprintf(limit, sizeof limit, "the output: stopped after %g seconds, the limit", s->options.limit_time);
@@ -211,7 +212,7 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
   tell(s, (vs_diagnostic){ .severity = VS_SEVERITY_ERROR, .outcome = outcome, .at = at, .message = message,
                            .notes = notes, .note_count = count });
   vs_text_close(&t);
-  /* A syntax error may contain further errors: a list of pairs (place . message). */
+  /* a syntax error may contain further errors, as a list of pairs (place . message) */
   if (is_condition && vs_as_condition(r[0])->kind == vm->sym.read)
     for (vs_value l = vs_as_condition(r[0])->payload; vs_is_pair(l); l = vs_cdr(l)) {
       vs_value more = vs_car(l);

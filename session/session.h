@@ -22,7 +22,7 @@ typedef struct {
   char *name, *text;
   size_t name_bytes, length, room, lines /* lines: number of line ends in the text */;
   unsigned first_line;
-  bool before; /* whether the source was read before the last vs_restart, and not again since */
+  bool before; /* whether the source was read before the last vs_restart, and has not been read again since */
 } vs_source;
 
 enum { VS_STREAMS = 64 };
@@ -32,26 +32,30 @@ typedef struct {
   char *text; size_t length, at; /* text of a file that was read completely; freed by free() */
 } vs_stream;
 
-/* The stages of a drawing on its way to an output (spine.c); the rows of stages.def. */
+/* The stages through which a drawing becomes an output (spine.c). Each is a row of stages.def. */
 typedef enum {
 #define VS_STAGE(upper, lower, when, formats, doc) VS_STAGE_##upper,
 #include "session/stages.def"
   VS_STAGE_COUNT
 } vs_stage;
 
-/* Times, memory and counts of one output. NAN: not counted. */
+/* Times, memory and counts of one output. A number that was not counted is NAN. */
 typedef struct {
   char *path; size_t path_bytes; /* path of the output file; "" if the output goes to a callback */
   const char *format;       /* name of the format, owned by the library */
   bool done;
-  vs_tally tally;           /* times and counts of this output alone; the members for peaks begin with this output */
-  double nodes, distinct;   /* nodes: number of nodes of the drawing as a tree; distinct: number of different values
-                             * among them */
+  vs_tally tally;           /* times and counts of this output alone; peaks of memory are those since the output
+                             * began */
+  double nodes, distinct;   /* nodes: number of nodes of the drawing, in which a shared node counts once for each use;
+                             * distinct: number of different nodes */
   vs_pass_stats passes;
-  /* alone[i]: number of commands if only pass i runs; without[i]: if all requested passes except i run. */
+  /* alone[i]: number of commands if pass i is the only pass that runs; without[i]: number of commands if all requested
+   * passes except pass i run. */
   double alone[VS_PASS_COUNT], without[VS_PASS_COUNT];
-  vs_cache_stats cache;     /* cache: numbers of results that this output has found and has not found in the cache */
-  double stages[VS_STAGE_COUNT]; /* seconds of each stage; NAN if the format skips it, or the output failed earlier */
+  vs_cache_stats cache;     /* cache: counts of the results that this output looked for in the cache, and found or did
+                             * not find */
+  double stages[VS_STAGE_COUNT]; /* stages[i]: seconds of stage i; NAN if the format skips the stage, or the output
+                                  * failed before the stage */
 } vs_output_record;
 
 #define VS_INPUT_KEPT "it was read by this run, and no output takes the place of what it is made from"
@@ -65,23 +69,26 @@ typedef struct vs_call_profile vs_call_profile;
 typedef struct {
   vs_bind bind;             /* must be the first member: vs_bind pointers are converted to vs_session */
   vs_options options;
-  void *texts; size_t text_bytes; /* one block with copies of all texts in the options */
+  void *texts; size_t text_bytes; /* one block of memory with copies of all texts in the options */
   size_t bytes;             /* bytes allocated for the heap and the model together */
   vs_tally tally;           /* time and memory of each phase of work */
-  bool limited;             /* whether memory was last refused because of the user's limit, and not by the system */
+  bool limited;             /* whether the last refusal of memory was caused by the user's limit, not by the system */
   atomic_bool interrupted;
   bool exit_requested;
   int exit_code;
   double told_progress;     /* clock in seconds when progress was last reported to the host */
-  const char *phase;        /* name of the phase that progress reports show while a program runs; NULL if none runs */
+  const char *phase;        /* name of the phase that progress reports show while a program runs; NULL if no program
+                             * runs */
   vs_stream stream[VS_STREAMS];
   vs_source *sources;
   size_t source_count, source_room;
   vs_known_files inputs;    /* the files that the program has read or created */
   char why[256];            /* reason why the last file operation failed */
   double evaluate_seconds, write_seconds;
-  vs_job job;               /* limits, progress and messages of work between outputs, which has no limits of its own */
-  vs_job *writing;          /* limits, progress and messages of the output that is being written; NULL: none */
+  vs_job job;               /* job (limits, progress and messages) for work between outputs, which has no limits of its
+                             * own */
+  vs_job *writing;          /* job (limits, progress and messages) of the output that is being written; NULL if there is
+                             * none */
   vs_output_record *outputs; /* times and counts of the latest outputs, oldest first */
   size_t output_count, output_room;
   vs_ref *kept; size_t kept_count; /* objects of vs_drawing_keep, whose nodes are retained (comparison.c) */
@@ -93,8 +100,8 @@ typedef struct {
   vs_host_meshes *meshes;   /* meshes passed to the host (host_meshes.c), or NULL if there are none */
   unsigned flags;           /* flags VS_EVAL_... with which the current evaluation was called */
   unsigned results;         /* number of names $1, $2 ... that the prompt has given to results */
-  bool profiling;           /* whether each poll takes a sample */
-  vs_call_profile *profile; /* samples (profile/call_profile.c), or NULL */
+  bool profiling;           /* whether the profiler takes samples of the running program */
+  vs_call_profile *profile; /* samples of the profiler (profile/call_profile.c), or NULL */
 } vs_session;
 
 static inline vs_session *vs_session_of(const vs_scheme *vm) { return (vs_session *)vm->host; }

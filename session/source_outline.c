@@ -1,6 +1,6 @@
 /* Finds definitions, calls and words in a source text, without reading it as a program. It recognizes only strings,
- * characters, comments and the three kinds of parentheses. Messages use it: if it guesses wrongly, only a hint is
- * lost. */
+ * characters, comments and the three kinds of parentheses. Only messages use the results, so a wrong guess can only
+ * spoil a hint. */
 #include "session/source_outline.h"
 
 #include <string.h>
@@ -90,8 +90,9 @@ void vs_outline_each(const char *text, size_t length, bool (*each)(void *context
     uint32_t unused = line;
     const char *in = is_open(*at) ? vs_outline_blanks(at + 1, end, &unused) : end;
     size_t head = vs_outline_word(in, end);
-    bool library = head == 14 && !memcmp(in, "define-library", 14); /* library: after define-library, a list is the
-                                                                     * library's name, not the form of a procedure */
+    bool library = head == 14 && !memcmp(in, "define-library", 14); /* library: whether the definition is
+                                                                     * define-library, after which a list is the
+                                                                     * library's name and not the form of a procedure */
     if (head >= 6 && !memcmp(in, "define", 6) && !library) {
       in = vs_outline_blanks(in + head, end, &unused);
       while (in < end && is_open(*in)) item.procedure = true, in = vs_outline_blanks(in + 1, end, &unused);

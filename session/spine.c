@@ -44,16 +44,18 @@
 /* An output that is being made, or a drawing that is being measured. */
 typedef struct {
   vs_session *session;
-  vs_job job;                    /* limits, progress and messages, passed to all layers below; the store refers to this
-                                  * member until the output ends */
+  vs_job job;                    /* limits, progress and messages of the output, passed to all functions below; the
+                                  * store refers to this member until the output ends */
   const vs_format *format;       /* format of the output; NULL: the drawing is only measured */
   const vs_output_options *options;
   const char *path;              /* path of the output; NULL: the output goes to the sink `to` */
   vs_byte_sink *to;
-  vs_scene scene;                /* the scene that is written: a copy with an array of references of its own */
+  vs_scene scene;                /* the scene that is written: a copy of the drawing's scene with its own array of
+                                  * references */
   vs_export_options export;
   vs_output_record *record;      /* times and counts of the output; NULL: there is no output */
-  vs_error error;                /* error of a failed stage, if `outcome` is not set */
+  vs_error error;                /* error of a failed stage, which is reported at the end; not used if `outcome` is
+                                  * set */
   vs_outcome outcome;            /* outcome of a failure that a stage has already reported */
   char *text;                    /* text that a back-end of the program has written, and its length in bytes; NULL:
                                   * there is none */
@@ -84,7 +86,7 @@ static bool job_going(void *output, const char *stage, double fraction) {
   return !vs_session_interrupted(j->session);
 }
 
-/* Begins the limits and progress of the output. */
+/* Begins the output: passes its job (limits, progress and messages) to the store. */
 static void begin(writing *j) {
   vs_session *s = j->session;
   j->job = (vs_job){ .going = job_going, .warn = job_warn, .note = job_note, .context = j, .tally = &s->tally };
@@ -149,8 +151,8 @@ static void set_options(writing *j) {
 /* ---- stages: a stage that fails returns false, and sets the error, or the outcome if it has already reported the
  * failure ---- */
 
-/* Computes the objects that the tree of scene nodes shows, as a separate evaluation. Sets *beside to false if the
- * drawing belongs to a node that is not the root; the objects then include those of the root. */
+/* Computes the objects that the tree of scene nodes shows, as a separate evaluation. If the drawing belongs to a node
+ * that is not the root, sets *beside to false; `objects` then include the root's objects. */
 static bool show_nodes(writing *j, bool *beside, vs_value *objects) {
   vs_session *s = j->session;
   if (!vs_nodes_are_there(&s->bind)) return true;
@@ -162,8 +164,8 @@ static bool show_nodes(writing *j, bool *beside, vs_value *objects) {
   return ok;
 }
 
-/* Collects garbage first: otherwise a node with a second reference from a dead value would seem to be shared. The
- * scene's copy retains its references, because later stages replace them. */
+/* Copies the drawing's references to the scene. First collects garbage: otherwise a node to which an unused value
+ * refers would seem to be shared. Later stages replace the copied references. */
 static bool stage_collect(writing *j) {
   vs_session *s = j->session;
   bool beside = true, change = j->options && j->options->change;
@@ -196,18 +198,18 @@ static bool stage_collect(writing *j) {
 }
 
 /* Calls the program's drawing functions as a separate evaluation with its own limits. The time limit of the output
- * begins after them. */
+ * begins after these calls. */
 static bool stage_hand_over(writing *j) {
   vs_session *s = j->session;
   const vs_format *f = j->format;
   const char *names[4] = { NULL };
   size_t n = 0;
-  if (!f) names[n++] = "*"; /* if there is no format, calls functions that are registered for a single format, unless a
-                             * function is registered for all formats */
+  if (!f) names[n++] = "*"; /* without a format, calls the functions that are registered for all formats ("*"); if there
+                             * are none, calls the functions for single formats */
   if (f) names[n++] = f->name, names[n++] = f->suffix;
   if (f && vs_export_family(f)) names[n++] = vs_export_family(f);
-  bool handed = j->options && j->options->change; /* handed: in a comparison, drawing functions were already called for
-                                                   * each of the two drawings */
+  bool handed = j->options && j->options->change; /* handed: whether the output shows a comparison, for whose two
+                                                   * drawings the drawing functions were already called */
   if (!handed && vs_bind_hands_on(&s->bind)) {
     vs_session_begin(s, 0);
     bool ok = vs_bind_hand_on(&s->bind, j->scene.drawn, j->scene.drawn_count, names);
@@ -244,11 +246,11 @@ static void list_views(const vs_scene *scene, char *message, size_t room) {
 static bool stage_view(writing *j) {
   vs_scene *scene = &j->scene;
   const char *name = j->record ? j->options->view : NULL;
-  /* A format for drawings on sheets chooses its views itself. */
+  /* a format for drawings on sheets chooses the views itself */
   if (!j->format || vs_backend_has(j->format->backend, VS_DRAWS) || (name && !strcmp(name, "*"))) return true;
   const vs_scene_view *view = name ? vs_scene_find_view(scene, name) : j->options->has_camera ? NULL
       : vs_scene_own_view(scene);
-  /* For a mesh or a page, only a view that the user requests by name may cut the model. */
+  /* in a mesh or a page, the model is cut only by a view that the user requests by name */
   if (!name && (!view || (view->cut == VS_CUT_PLANE && !vs_backend_has(j->format->backend, VS_FRAMES)))) return true;
   if (!view) {
     char message[400];
@@ -305,7 +307,7 @@ static bool write_bytes(void *sink, const void *bytes, size_t count) {
 static bool stage_write(writing *j) {
   vs_tally_enter(&j->session->tally, VS_WORK_EMIT);
   vs_scene scene = j->scene;
-  /* If the program's back-end has written the whole text, there are no objects to write. */
+  /* if the program's back-end has written the whole text, no objects remain to be written */
   if (j->format->backend == &vs_backend_given) scene.drawn = NULL, scene.drawn_count = scene.drawn_room = 0;
   return j->to ? vs_export_to(&scene, j->format, write_bytes, j->to, &j->export, &j->error)
                : vs_export(&scene, j->format, j->path, &j->export, &j->error);
@@ -313,7 +315,7 @@ static bool stage_write(writing *j) {
 
 /* ---- the table of the stages, and their order ---- */
 
-/* Returns true for a format that shows the unchanged tree. */
+/* Returns true if the format shows the drawing's tree without any changes by passes. */
 static bool shows_tree(const vs_backend *b) { return vs_backend_has(b, VS_VERBATIM) && b != &vs_backend_given; }
 
 static bool runs_for(vs_stage stage, const vs_backend *b) {

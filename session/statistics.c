@@ -18,8 +18,8 @@
 
 enum { OUTPUTS = 64 }; /* greatest number of outputs whose times and counts are kept */
 
-/* ---- times and counts of an output: at the output's beginning they are the totals so far; at its end these become
- * differences ---- */
+/* ---- times and counts of an output: totals of the session when the output begins, differences from these totals when
+ * it ends ---- */
 
 static void drop(vs_session *s, vs_output_record *r) { vs_session_memory(s, r->path, r->path_bytes, 0); }
 
@@ -39,7 +39,7 @@ bool vs_session_output_begin(vs_session *s, const char *path, const char *format
     drop(s, &s->outputs[0]);
     memmove(s->outputs, s->outputs + 1, --s->output_count * sizeof *s->outputs);
   }
-  vs_tally_enter(t, VS_WORK_NONE); /* adds the time until now to the phase that was active */
+  vs_tally_enter(t, VS_WORK_NONE); /* adds the time since the last change of phase to the active phase */
   vs_output_record *r = &s->outputs[s->output_count++];
   *r = (vs_output_record){ .path = copy,
                            .path_bytes = bytes,
@@ -67,7 +67,7 @@ void vs_session_output_end(vs_session *s, bool done) {
     r->tally.of[i] = (vs_phase_use){ all->seconds - before.seconds, all->growth - before.growth, all->peak };
     if (before.peak > all->peak) all->peak = before.peak;
   }
-  /* The time for counting nodes is not included, since only statistics need these counts. */
+  /* does not include the time for counting nodes, which only statistics need */
   for (int i = 0; i < VS_WORK_NONE; i++) s->write_seconds += r->tally.of[i].seconds;
   r->tally.written = t->written - r->tally.written;
   r->tally.clusters = t->clusters - r->tally.clusters;
@@ -96,9 +96,9 @@ static int by_value(const void *a, const void *b) {
   return *x < *y ? -1 : *x > *y;
 }
 
-/* Sets *all to the number of nodes of the drawing as a tree. Sets *distinct to the number of different values among
- * them, by their 64-bit hashes. Leaves with a single reference are not in the table; each counts as one distinct
- * node. */
+/* Sets *all to the number of nodes of the drawing, in which a shared node counts once for each use. Sets *distinct to
+ * the number of different nodes, compared by their 64-bit hashes. Leaves with a single reference are not compared; each
+ * counts as distinct. */
 static bool count_nodes(const vs_scene *scene, double *all, double *distinct, vs_error *e) {
   vs_order order = { .store = scene->store };
   if (!vs_order_make(&order, scene->drawn, scene->drawn_count, e)) return false;
@@ -134,7 +134,7 @@ static bool count_nodes(const vs_scene *scene, double *all, double *distinct, vs
   return ok || vs_error_memory(e, NULL);
 }
 
-/* Counts the commands of the scene after these passes. The scene itself does not change. */
+/* Counts the commands of the scene after the passes in the bit set `passes`. The scene itself does not change. */
 static bool count_commands(const vs_scene *scene, unsigned passes, double *commands, vs_error *e) {
   vs_scene copy = *scene;
   vs_pass_stats stats;
@@ -151,8 +151,8 @@ static bool count_commands(const vs_scene *scene, unsigned passes, double *comma
 
 bool vs_session_output_nodes(vs_session *s, const vs_scene *scene, unsigned passes, vs_error *e) {
   vs_output_record *r = &s->outputs[s->output_count - 1];
-  vs_work_phase was = vs_tally_enter(&s->tally, VS_WORK_NONE); /* the time for counting nodes is added to no phase,
-                                                                * since only statistics need it */
+  vs_work_phase was = vs_tally_enter(&s->tally, VS_WORK_NONE); /* the time for counting nodes counts for no phase, since
+                                                                * only statistics need it */
   bool ok = count_nodes(scene, &r->nodes, &r->distinct, e);
   for (unsigned i = 0; ok && i < VS_PASS_COUNT; i++) {
     unsigned one = 1u << i;
@@ -195,7 +195,7 @@ static void add_work(list *l, const vs_tally *t) {
   add(l, "texts.remembered.bytes", (double)t->bytes_found, "bytes");
 }
 
-/* Adds the keys for the drawing of one output. r NULL: there was no output. */
+/* Adds the keys for the drawing of the output r. If r is NULL, there was no output. */
 static void add_drawing(list *l, const vs_output_record *r) {
   add(l, "nodes", r ? r->nodes : NAN, "");
   add(l, "nodes.distinct", r ? r->distinct : NAN, "");
@@ -208,7 +208,7 @@ static void add_drawing(list *l, const vs_output_record *r) {
 #include "passes/passes.def"
 }
 
-/* Adds the times of the stages of output r, or with r NULL their sums over all kept outputs. */
+/* Adds the times of the stages of the output r. If r is NULL, adds the sums over all kept outputs. */
 static void add_stages(list *l, const vs_session *s, const vs_output_record *r) {
   static const char *const keys[] = {
 #define VS_STAGE(upper, lower, when, formats, doc) "time.stage." #lower,

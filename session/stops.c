@@ -25,15 +25,16 @@ void vs_session_arm(vs_session *s, unsigned flags) {
 
 static vs_vector *details(vs_value stop) { return vs_as_vector(vs_as_condition(stop)->payload); }
 
-/* Returns the character at a column of the line, counted in characters from 1. Returns the end of a shorter line. */
+/* Returns a pointer to the character at a column of the line, or to the end of a shorter line. Columns count characters
+ * from 1. */
 static const char *at_column(const char *line, uint32_t column) {
   for (uint32_t i = 1; i < column && *line; i++)
     for (line++; ((unsigned char)*line & 0xC0) == 0x80;) line++;
   return line;
 }
 
-/* Returns true for a stop at a call that a macro created. The place of this call is that of the macro's use, where the
- * source has the name of the macro. */
+/* Returns true for a stop at a call that a macro created. The place of such a call is that of the macro's use, where
+ * the source contains the macro's name instead of the called procedure's. */
 static bool is_hidden(vs_session *s, vs_value stop) {
   vs_scheme *vm = s->bind.vm;
   VS_ROOTS(vm, r, 2);
@@ -45,7 +46,7 @@ static bool is_hidden(vs_session *s, vs_value stop) {
   if (vs_bind_is_library(&s->bind, vs_pos_file(place))) return true;
   if (!vs_session_span(s, place, &at) || !vs_session_source_line(s, at.file, at.line, line, sizeof line)) return false;
   const char *head = at_column(line, at.column);
-  if (*head != '(' && *head != '[') return true; /* a quoted datum such as 'x or `(x ,y) */
+  if (*head != '(' && *head != '[') return true; /* the datum is quoted, such as 'x or `(x ,y) */
   head++;
   size_t n = vs_outline_word(head, head + strlen(head));
   return n && vs_intern(vm, head, n, &r[1]) && vs_environment_find(vm->at.program, r[1]).kind == VS_MEANS_MACRO;
@@ -140,8 +141,8 @@ static bool put_subject(vs_scheme *vm, vs_value stop, vs_stop_kind kind, vs_text
   return vs_text_puts(t, ")");
 }
 
-/* Returns the column after the datum that begins at `column` of the line. Columns are in characters, from 1. If the
- * datum ends on a later line, returns the column after this line's end. */
+/* Returns the column after the datum that begins at `column` of the line. Columns count characters from 1. If the datum
+ * ends on a later line, returns the column after the end of the given line. */
 static uint32_t end_of(const char *line, uint32_t column) {
   const char *at = at_column(line, column);
   uint32_t lines = 0, end = column;

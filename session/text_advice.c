@@ -1,5 +1,5 @@
-/* Implements advice that is computed from the program's text around the place of an error. It does not read the text as
- * a program; if it guesses wrongly, advice is only missing or useless. */
+/* Implements advice that is computed from the program's text around the place of an error. The text is not parsed as a
+ * program; after a wrong guess, advice is only missing or useless. */
 #include "session/text_advice.h"
 
 #include <ctype.h>
@@ -98,8 +98,8 @@ bool vs_text_advise_hidden(vs_text_place p, vs_text *t) {
     word head = head_of(at, p.end);
     const char *list = next_of(skip_blanks(head.at, p.end), p.end);
     bool parameter = is_among(head, "lambda") && opens(list, p.end) && has_parameter(list, p.end, name);
-    const char *before = at; /* before: end of the text before the name, which must be a parenthesis or another
-                              * binding */
+    const char *before = at; /* before: end of the text before the name. In a binding, a parenthesis or another binding
+                              * precedes the name */
     while (before > form && strchr(" \t\r\n", before[-1])) before--;
     bool clause = same(head, name) && before > form && strchr("([)]", before[-1]) && skip_datum(at, p.end) <= p.at;
     if (!parameter && !clause) continue;
@@ -154,8 +154,8 @@ bool vs_text_advise_operator(vs_text_place p, vs_text *t) {
   for (size_t i = 0; i < sizeof operators / sizeof *operators; i++) {
     if (!is(sign, operators[i].sign)) continue;
     char text[300], form[80];
-    bool sets = strstr(operators[i].form, "(set! x") != NULL; /* whether the advised form is an assignment to x, the
-                                                               * first operand */
+    bool sets = strstr(operators[i].form, "(set! x") != NULL; /* sets: whether the advised form assigns to x, the first
+                                                               * operand */
     if (sets)
       snprintf(form, sizeof form, "(set! %.*s %s", (int)(end - first > 30 ? 30 : end - first), first,
                operators[i].form + 8);
@@ -209,7 +209,7 @@ bool vs_text_advise_chain(vs_text_place p, vs_text *t) {
 static int put_keys(const char *table, const char *end, vs_text *t) {
   int count = 0;
   if (*table == '\'') table = skip_blanks(table + 1, end);
-  /* the table is a value from a check, in which '... is written (quote ...) */
+  /* if the table is a value from a check, its text begins with (quote instead of a quotation mark */
   if (is(head_of(table, end), "quote")) table = next_of(first_of(table, end), end);
   for (const char *at = first_of(table, end); opens(table, end) && !closes(at, end) && count < 12;
        at = next_of(at, end)) {
@@ -359,8 +359,8 @@ static const char *last_from(const char *at, const char *end) {
   return last;
 }
 
-/* Returns the expression whose value the procedure returns. `at`: the procedure, a lambda or a name that the program
- * defines. */
+/* Returns the expression whose value a procedure returns. at: the text of the procedure, which is a lambda expression
+ * or a name that the program defines. */
 static const char *value_of(vs_text_place p, const char *at) {
   if (is_among(head_of(at, p.end), "lambda \316\273"))
     return last_from(next_of(next_of(first_of(at, p.end), p.end), p.end), p.end);

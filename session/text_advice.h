@@ -4,11 +4,12 @@
 
 #include "session/session.h"
 
-/* A place in a source text: `start` and `end` are the ends of the text, and `at` is the place. */
+/* A place in a source text. start, end: beginning and end of the text; at: the place; first_line: line number of the
+ * text's beginning. */
 typedef struct { const char *start, *at, *end; uint32_t first_line; } vs_text_place;
 
-/* Each function of this group appends advice to the error's text t, or replaces t. If it has no advice, it does not
- * change t. It returns false when memory is out. */
+/* Each function below appends advice to the error's text t, or replaces t. If it has no advice, it does not change t.
+ * It returns false when memory is out. */
 
 /* Advises if the name of the called value is a parameter or a variable that hides a procedure of the language. Replaces
  * t. */
@@ -21,8 +22,8 @@ bool vs_text_advise_quoted(vs_text_place p, const char *word, vs_text *t);
 bool vs_text_advise_operator(vs_text_place p, vs_text *t);
 /* Advises if the call at p is a chain of comparisons such as (< 1 x < 3). */
 bool vs_text_advise_chain(vs_text_place p, vs_text *t);
-/* Advises if the call at p uses the result of (assq key table) and the key is missing, so that the result is #f. Names
- * the keys of the table. */
+/* Advises if the call at p uses the result of (assq key table), which is #f because the table does not contain the key.
+ * Lists the keys that the table contains. */
 bool vs_text_advise_missing_key(vs_scheme *vm, vs_text_place p, vs_text *t);
 /* Advises if the statement around p is one of another language, as its first word shows. */
 bool vs_text_advise_statement(vs_scheme *vm, vs_text_place p, vs_text *t);

@@ -12,7 +12,7 @@
 #include "vm/numbers/number.h"
 #include "vm/values/printer.h"
 
-enum { SHOWN = 60 /* greatest length of a shown value in bytes */ };
+enum { SHOWN = 60 /* greatest length in bytes of a value's text in the advice */ };
 
 /* Kinds of values, as bits, in the rows of advice.def. A value may have several kinds: an empty list is EMPTY and
  * LIST. */
@@ -64,8 +64,8 @@ static int kinds_of(vs_scheme *vm, vs_value v) {
   return ANY | (vs_bind_take_ref(v).node ? OBJECT : 0);
 }
 
-/* Returns the kinds of a value of which only the text in the error is known. Errors of procedures written in Scheme are
- * of this type. */
+/* Returns the kinds of a value of which only the text in the error message is known, as in errors of procedures written
+ * in Scheme. */
 static int kinds_of_text(const char *shown) {
   size_t digits = strspn(shown, "0123456789.-+/");
   if (*shown == '"')
@@ -89,7 +89,7 @@ static bool is_word_of(const char *words, const char *word, size_t n) {
   return !*words;
 }
 
-/* Writes the value v. text: the value as the error shows it, or NULL if v is known. */
+/* Writes the value v. If `text` is not NULL, the value itself is unknown, and `text` is its form in the error. */
 static bool put_value(vs_scheme *vm, vs_value v, const char *text, vs_print_mode how, vs_text *t) {
   vs_text shown;
   bool bare = text && *text == '"' && how == VS_PRINT_DISPLAY;
@@ -119,9 +119,8 @@ static bool put_advice(vs_scheme *vm, const char *advice, vs_value got, const ch
   return true;
 }
 
-/* Finds the kind of value that the error requires, such as "a point". Sets *kind to this part of the error and returns
- * its length. Returns 0 if the part is neither the noun of a contract nor a type of the language. If the part also has
- * a condition, the error explains itself. */
+/* Finds the kind of value that the error requires, such as "a point". Sets *kind to the kind's place in the error, and
+ * returns its length. Returns 0 if the text there is neither the noun of a contract nor a type of the language. */
 static size_t wanted_kind(const char *error, const char **kind) {
   static const char *const nouns[] = {
 #define VS_CONTRACT(name, noun, condition, convert) noun,
@@ -140,8 +139,8 @@ static size_t wanted_kind(const char *error, const char **kind) {
   return 0;
 }
 
-/* Returns true if the error contains the row's words. For a row that applies to any procedure, the words must be in the
- * required kind. */
+/* Returns true if the row's words occur in the error. If the row applies to any procedure, the words must occur in the
+ * kind of value that the error requires. */
 static bool fits(const char *error, const row *r) {
   const char *found = strstr(error, r->words), *kind;
   if (!found || *r->procedures || strstr(r->words, "literal") || strstr(r->words, "got")) return found != NULL;

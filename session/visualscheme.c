@@ -58,7 +58,7 @@ const char *vs_version(void) { return VS_VERSION; }
 
 vs_options vs_options_default(void) { return (vs_options){ .library_path = NULL }; }
 
-/* Defines the next of the prompt's names $1, $2 ... as the value. */
+/* Defines the next name for results at the prompt ($1, $2 ...) with the value v. */
 static bool name_result(vs_session *s, vs_value v) {
   vs_scheme *vm = s->bind.vm;
   VS_ROOTS(vm, r, 3);
@@ -70,8 +70,8 @@ static bool name_result(vs_session *s, vs_value v) {
   return true;
 }
 
-/* Shows an object in one line: its expression if this is short, otherwise its kind; then the size of its bounding box.
- * If the exact box would take long to compute, shows an upper bound. */
+/* Shows an object in one line: its expression if the expression is short, otherwise its kind; then the size of its
+ * bounding box. If the exact box would take long to compute, shows an upper bound of its size. */
 static bool tell_object(vs_session *s, vs_value v) {
   vs_scheme *vm = s->bind.vm;
   enum { SHORT = 60 };
@@ -122,19 +122,20 @@ static size_t objects_in_list(vs_value v) {
   return v == VS_NIL ? n : 0;
 }
 
-/* Receives the value of a top-level expression. The prompt shows it. If nothing is drawn, the value is the model. */
+/* Receives the value of a top-level expression, which the prompt shows. If the program draws nothing, the value is the
+ * model. */
 static bool take_value(vs_scheme *vm, vs_value v, vs_pos place) {
   vs_session *s = vs_session_of(vm);
   const vs_host *h = &s->options.host;
-  VS_ROOTS(vm, r, 1); /* a root of the garbage collector: keeps the value, since naming it may move it */
+  VS_ROOTS(vm, r, 1); /* a root of the garbage collector, because defining a name for the value may move the value */
   r[0] = v;
   if (!vs_bind_returned(&s->bind, r[0], s->flags & VS_EVAL_PRINT)) return false;
   if (!(s->flags & VS_EVAL_PRINT)) vs_session_advise_named(s, r[0], place);
   if (!(s->flags & VS_EVAL_PRINT) || !h->value || r[0] == VS_UNSPECIFIC) return true;
   if (s->flags & VS_EVAL_NUMBER && !name_result(s, r[0])) return false;
   if (s->flags & VS_EVAL_NUMBER && vs_bind_take_ref(r[0]).node) return tell_object(s, r[0]);
-  /* Greatest lengths of shown values in bytes. A longer text would not be readable; a value that has a name such as $1
-   * can be examined further. */
+  /* Greatest lengths in bytes of the texts of values at the prompt. MOST: without a name; MOST_NUMBERED: with a name
+   * such as $1, by which the user can examine the value further. */
   enum { MOST = 4000, MOST_NUMBERED = 1000 };
   vs_text shown, t;
   vs_text_open(vm, &shown, s->flags & VS_EVAL_NUMBER ? MOST_NUMBERED : MOST);
@@ -171,7 +172,8 @@ static bool take_value(vs_scheme *vm, vs_value v, vs_pos place) {
   return ok;
 }
 
-/* Reports a warning of the expander at its place in the user's text. Omits warnings about the library's own text. */
+/* Reports a warning of the macro expander at its place in the user's text. Ignores warnings about the library's own
+ * text. */
 static void warn_program(vs_scheme *vm, vs_pos place, const char *message) {
   vs_session *s = vs_session_of(vm);
   vs_span at;
@@ -179,8 +181,8 @@ static void warn_program(vs_scheme *vm, vs_pos place, const char *message) {
     vs_session_report_at(s, VS_SEVERITY_WARNING, VS_OUTCOME_DONE, at, message);
 }
 
-/* Returns true if the name is that of a built-in format, for register-drawing-function and define-back-end. Unlike
- * vs_format_find it accepts no paths. */
+/* Returns true if the name is that of a built-in format. Used by register-drawing-function and define-back-end. Unlike
+ * vs_format_find, it accepts no paths. */
 static bool is_built_in(const char *name) { return !strpbrk(name, "./") && vs_export_format_find(name) != NULL; }
 static bool is_format(const vs_bind *b, const char *name) {
   return is_built_in(name) || (!strpbrk(name, "./") && vs_bind_back_end_find(b, name) != NULL);
@@ -216,7 +218,7 @@ static bool open_program(vs_scheme *vm) {
   return vs_flat_register(vm, &rules) && vs_front_open(vm) && vs_program_new(vm, &vm->at.program);
 }
 
-/* ---- copies of the texts in the options: one block that begins with the array for the command line ---- */
+/* ---- copies of the texts in the options: one block, which begins with the array of command-line arguments ---- */
 
 static size_t text_bytes(const vs_options *o) {
   size_t bytes = o->command_line_count * sizeof(char *);
@@ -319,7 +321,7 @@ vs_outcome vs_restart(vs_scheme *vm) {
   for (size_t i = 0; i < s->source_count; i++) s->sources[i].before = true;
   s->exit_requested = false;
   s->results = 0;
-  vs_session_forget_profile(s); /* its names belong to the old heap */
+  vs_session_forget_profile(s); /* deletes the samples, whose names belong to the old heap */
   return VS_OUTCOME_DONE;
 }
 
@@ -356,7 +358,7 @@ static bool was_interrupted(vs_session *s) {
   return true;
 }
 
-/* Returns false if an interrupt came while no program ran: the next evaluation then ends before it begins. */
+/* Returns false if an interrupt came while no program ran. The next evaluation then ends before it begins. */
 static bool may_run(vs_session *s) {
   return !vs_session_interrupted(s) || vs_fail(s->bind.vm, s->bind.vm->sym.interrupt, "interrupted");
 }
@@ -440,8 +442,8 @@ vs_read_status vs_read_check(vs_scheme *vm, const char *text, size_t length) {
                                           [VS_TEXT_OPEN] = VS_READ_INCOMPLETE,
                                           [VS_TEXT_BAD] = VS_READ_BAD };
   vs_text_check c = { 0 };
-  vm->steps = 0, vm->started = vs_session_clock(vs_session_of(vm)); /* steps and time before this point do not belong to
-                                                                     * the evaluation */
+  vm->steps = 0, vm->started = vs_session_clock(vs_session_of(vm)); /* steps and time up to here do not count for the
+                                                                     * evaluation */
   vs_refuel(vm);
   if (!vs_read_whole(vm, text, length, &c))
     return (vs_read_status){ .state = VS_READ_BAD, .line = 1, .column = 1, .message = "out of memory" };
@@ -597,8 +599,8 @@ const vs_format_info *vs_format_find(const char *text) {
   return NULL;
 }
 
-/* Returns the format with this name or suffix: a built-in format, or a format of the host, or a format that the program
- * defines. *room is the storage for the last. */
+/* Returns the format with this name or suffix, which is built in, or defined by the host or the program. *room stores a
+ * format that the program defines. */
 static const vs_format *format_of(const vs_session *s, const char *text, vs_format *room) {
   const vs_format *own = vs_export_format_find(text);
   if (!own) own = vs_session_own_format(s, text);
@@ -642,7 +644,7 @@ const char *const *vs_pass_list(size_t *count) {
   return names;
 }
 
-/* Returns true if the crop rectangle is not empty and lies in the picture. Otherwise reports the fault and returns
+/* Returns true if the crop rectangle is not empty and lies within the picture. Otherwise reports an error and returns
  * false. */
 static bool crop_is_within(vs_session *s, const vs_output_options *o) {
   const int *c = o->crop;

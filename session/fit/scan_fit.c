@@ -21,7 +21,8 @@
 #include "session/spine.h"
 #include "solids/solid_meshes.h"
 
-/* MOST_NAMES, MOST_DOUBT: lengths of texts in bytes */
+/* USUAL_POINTS: greatest number of points of the scan that are used by default. MOST_NAMES, MOST_DOUBT: greatest
+ * lengths of texts in bytes */
 enum { USUAL_POINTS = 20000, MOST_NAMES = 300, MOST_DOUBT = 600 };
 
 typedef struct {
@@ -34,7 +35,7 @@ typedef struct {
 struct vs_scan_fit {
   vs_scan_points scan;
   vs_model_fit fit;
-  fitted *parameters; /* parameters of the program, in their order; the store owns the names */
+  fitted *parameters; /* all parameters of the program, in the program's order; the store owns their names */
   size_t *number;     /* number[i]: index in `parameters` of the i-th parameter that is fitted */
   size_t parameter_count, number_count;
   double *distances; /* distances[i]: distance of point i of the file from the model */
@@ -117,8 +118,8 @@ static void progress(void *context, unsigned iteration, double spread) {
   j->host.progress(j->host.context, &(vs_progress){ .phase = j->phase, .fraction = -1 });
 }
 
-/* Returns true until twice the time limit has passed: the fit ends at the limit, but its best result is evaluated once
- * more. */
+/* Returns true until twice the time limit has passed. The fit ends at the limit; the additional time is for the
+ * evaluation of its best result. */
 static bool keep_combining(void *context, const char *stage, double done) {
   job *j = context;
   bool go = going(j);
@@ -132,7 +133,7 @@ static vs_outcome run(job *j) {
   return outcome == VS_OUTCOME_DONE ? vs_eval_file(j->vm, j->model, VS_EVAL_CHECK_LATER) : outcome;
 }
 
-/* Sets *e from the outcome and the last message of a run. Returns false. */
+/* Sets *e to the error that the outcome and the last message of a run describe. Returns false. */
 static bool failed(const job *j, vs_outcome outcome, vs_error *e) {
   vs_error_kind kind = outcome == VS_OUTCOME_INTERRUPTED ? VS_ERROR_INTERRUPT
                        : outcome == VS_OUTCOME_MACHINE   ? VS_ERROR_MEMORY
@@ -177,8 +178,8 @@ static bool set_numbers(job *j, const double *numbers) {
   return true;
 }
 
-/* Sets the program's parameters to the fitted values if `found`, else to their initial values. Returns false when
- * memory is out. */
+/* Sets the program's parameters to the fitted values if `found` is true, otherwise to their initial values. Returns
+ * false when memory is out. */
 static bool set_back(job *j, bool found) {
   char text[40];
   const vs_scan_fit *f = j->f;
@@ -208,8 +209,8 @@ static bool is_held(const vs_fit_options *o, const char *name) {
   return false;
 }
 
-/* Reads the parameters after the first run. Returns false when memory is out, or if an option names an unknown
- * parameter, which it reports. */
+/* Reads the program's parameters after its first run. If an option names an unknown parameter, reports this and returns
+ * false. Also returns false when memory is out. */
 static bool take_parameters(job *j, const vs_fit_options *o, vs_fit_number **numbers, vs_outcome *outcome) {
   vs_session *s = j->session;
   vs_scan_fit *f = j->f;

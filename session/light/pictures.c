@@ -85,7 +85,7 @@ static const char *bare(const char *path) {
   return slash ? slash + 1 : path;
 }
 
-/* Reads these channels of an EXR file; `wanted` NULL: all channels. */
+/* Reads the channels of an EXR file whose names are in `wanted`, or all channels if `wanted` is NULL. */
 static bool take(vs_session *s, const char *path, const char *const *wanted, vs_exr *out, vs_error *e) {
   vs_store *store = s->bind.store;
   vs_made_bytes b = { 0 };
@@ -99,7 +99,7 @@ static bool take(vs_session *s, const char *path, const char *const *wanted, vs_
 static const char *const colors[] = { "R", "G", "B", "Y", NULL };
 
 /* Sets *out to the red, green and blue light of the picture. If the picture has only luminance, uses the luminance for
- * all three. */
+ * each of the three colours. */
 static bool light_of(const vs_exr *x, const char *path, vs_light *out, vs_error *e) {
   const float *y = vs_exr_find(x, "Y");
   *out = (vs_light){ vs_exr_find(x, "R"), vs_exr_find(x, "G"), vs_exr_find(x, "B"), x->columns, x->rows };
@@ -157,11 +157,12 @@ vs_outcome vs_picture_tone(vs_scheme *vm, const char *from, const char *to, cons
   return end(s, ok, &e);
 }
 
-/* Numbers for a picture in false colours. at: a number for each pixel; unit: their unit; least, most: receive the ends
- * of the colour scale, or are NULL. */
+/* Numbers to show as a picture in false colours. at: one number for each pixel; unit: the unit of the numbers; least,
+ * most: receive the numbers at the two ends of the colour scale, or are NULL. */
 typedef struct { const float *at; const char *unit; double *least, *most; } quantity;
 
-/* Writes the numbers as false colours on a logarithmic scale, with a legend. Sets the ends of the scale. */
+/* Writes the numbers q->at as a picture in false colours on a logarithmic scale, with a legend. Sets *q->least and
+ * *q->most to the ends of the scale. */
 static bool write_scaled(vs_session *s, vs_exr *x, const char *to, const quantity *q, vs_error *e) {
   vs_color_scale scale = vs_color_scale_of(q->at, (size_t)x->columns * x->rows, true, q->unit);
   if (q->least) *q->least = scale.least;
@@ -307,18 +308,19 @@ vs_outcome vs_picture_denoise(vs_scheme *vm, const char *from, const char *to, b
 
 /* ---- joining tiles ---- */
 
-/* A picture made of tiles. */
+/* A picture that is joined from tiles. */
 typedef struct {
   vs_session *session;
   const char *const *tiles;
-  size_t columns, rows; /* numbers of tiles */
+  size_t columns, rows; /* numbers of columns and rows of tiles */
   bool light;           /* whether the tiles are EXR pictures, otherwise PNG */
-  vs_exr x;             /* the whole, if light */
-  vs_pixels p;          /* the whole otherwise; its size also if light */
-  uint32_t left, top;   /* place of the current tile in the whole */
+  vs_exr x;             /* the joined picture, if the tiles are EXR pictures */
+  vs_pixels p;          /* the joined picture, if the tiles are PNG pictures; its width and height are set for EXR
+                         * tiles, too */
+  uint32_t left, top;   /* position of the current tile's upper left corner in the joined picture, in pixels */
 } joint;
 
-/* A tile as read: light, or pixels. */
+/* A tile that was read: x for an EXR picture, p for a PNG picture. */
 typedef struct { const char *path; vs_exr x; vs_png_pixels p; uint32_t columns, rows; } tile;
 
 static bool unfit(const tile *t, vs_error *e) {
@@ -330,7 +332,7 @@ static void free_tile(joint *j, tile *t) {
   if (t->p.rows) vs_store_realloc(j->session->bind.store, t->p.rows, t->p.room, 0);
 }
 
-/* Reads tile i. Either way, free_tile frees it. */
+/* Reads tile i. The caller frees the tile with free_tile, even after a failure. */
 static bool take_tile(joint *j, size_t i, tile *t, vs_error *e) {
   vs_store *store = j->session->bind.store;
   vs_made_bytes b = { 0 };
@@ -344,7 +346,7 @@ static bool take_tile(joint *j, size_t i, tile *t, vs_error *e) {
   return ok;
 }
 
-/* Computes the size of the whole from the tiles of the first row and of the first column. */
+/* Computes the size of the joined picture from the tiles of the first row and of the first column. */
 static bool measure_tiles(joint *j, vs_error *e) {
   uint64_t columns = 0, rows = 0;
   bool ok = true;
@@ -361,7 +363,7 @@ static bool measure_tiles(joint *j, vs_error *e) {
   return ok;
 }
 
-/* Allocates the whole, with the channels and texts of its first tile. */
+/* Allocates the joined picture, with the channels and texts of its first tile. */
 static bool begin_whole(joint *j, const tile *first, vs_error *e) {
   vs_exr *x = &j->x;
   size_t bytes = 3 * (size_t)j->p.columns * j->p.rows;
@@ -378,13 +380,13 @@ static bool begin_whole(joint *j, const tile *first, vs_error *e) {
   return ok;
 }
 
-/* Copies `rows` rows of `bytes` bytes into the whole, whose rows have `stride` bytes. */
+/* Copies `rows` rows of `bytes` bytes each into a picture whose rows begin `stride` bytes apart. */
 static void put_rows(void *to, size_t stride, const void *from, size_t bytes, uint32_t rows) {
   for (uint32_t row = 0; row < rows; row++)
     memcpy((char *)to + row * stride, (const char *)from + row * bytes, bytes);
 }
 
-/* Copies the tile to its place in the whole. */
+/* Copies the tile to its position in the joined picture. */
 static bool put_tile(joint *j, const tile *t, vs_error *e) {
   size_t at = (size_t)j->top * j->p.columns + j->left;
   if (t->columns > j->p.columns - j->left || t->rows > j->p.rows - j->top || t->x.count != j->x.count)
@@ -398,7 +400,7 @@ static bool put_tile(joint *j, const tile *t, vs_error *e) {
   return true;
 }
 
-/* Puts all tiles into the whole, row by row. */
+/* Copies all tiles into the joined picture, row by row. */
 static bool put_tiles(joint *j, vs_error *e) {
   uint32_t high = 0;
   bool ok = true;

@@ -1,7 +1,7 @@
 /* Implements vs_sun_study: shows as pictures and as numbers where sunlight reaches a model during a day.
  *
- * For the middle of each time step, rays from points on the model towards the sun are traced. A point is lit if no
- * solid blocks its ray. POV-Ray renders the pictures of shadows. */
+ * For each time step, rays are traced from points on the model towards the sun's position at the middle of the step. A
+ * point is lit if no solid blocks its ray. POV-Ray renders the pictures of shadows. */
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -27,8 +27,8 @@
 
 enum { TIMES = 500, PATH_ROOM = 4096 };
 
-typedef struct { double from, hours; /* from: begin of the time of this sun in hours of mean local time; hours: its
-                                      * length */ double azimuth,
+typedef struct { double from, hours; /* from: beginning of the time step in hours of local mean time; hours: length of
+                                      * the time step */ double azimuth,
     altitude; vs_vec3 towards; } sun;
 
 typedef struct {
@@ -92,14 +92,14 @@ static void corners_of(const vs_mesh *m, size_t triangle, vs_vec3 p[3]) {
   for (int k = 0; k < 3; k++) p[k] = m->vertices[m->triangles[triangle][k]];
 }
 
-/* Returns the triangle's normal, with twice its area as length. */
+/* Returns a vector normal to the triangle, whose length is twice the triangle's area. */
 static vs_vec3 turned_area(const vs_vec3 p[3]) { return vs_v3_cross(vs_v3_sub(p[1], p[0]), vs_v3_sub(p[2], p[0])); }
 
 /* ---- false colours ---- */
 
 typedef struct { float *hours; vs_vec3 *normal; double *depth; uint32_t wide, high; } view;
 
-/* Computes the surface visible in a pixel: the model, the ground below it, or none. */
+/* Finds the surface that is visible in a pixel: the model, the ground below it, or none. Stores the results in v. */
 static void see(const study *t, const vs_look *look, const view *v, uint32_t column, uint32_t row) {
   size_t i = (size_t)row * v->wide + column;
   vs_look_line line = vs_look_ray(look, v->wide, v->high, column, row);
@@ -145,7 +145,7 @@ static bool path_in(study *t, const char *name, char path[PATH_ROOM]) {
       t->folder);
 }
 
-/* The files of a study, apart from one picture for each position of the sun. */
+/* The output files of a study, without the picture of shadows for each position of the sun. */
 typedef enum { HOURS, HOURS_PLAN, HOURS_MODEL, SHADOWS, NAMES } study_file;
 static const char *const names[NAMES] = { [HOURS] = "hours.csv", [HOURS_PLAN] = "hours-plan.png",
                                           [HOURS_MODEL] = "hours-model.png", [SHADOWS] = "shadows.png" };
@@ -201,7 +201,8 @@ static bool write_hours(study *t, const vs_look *look, uint32_t wide, uint32_t h
   return ok;
 }
 
-/* Returns a look at the model from above, with north at the top and room for shadows around the model. */
+/* Returns the camera that shows the model from above, with north at the top and room for the shadows around the
+ * model. */
 static vs_look plan_look(const study *t, uint32_t wide, uint32_t high) {
   vs_vec3 size = vs_v3_sub(t->bounds.max, t->bounds.min), middle = vs_v3_scale(vs_v3_add(t->bounds.min,
       t->bounds.max), 0.5);
@@ -213,7 +214,8 @@ static vs_look plan_look(const study *t, uint32_t wide, uint32_t high) {
 
 /* ---- hours of sun for each face ---- */
 
-/* Sort key of a triangle: its plane and part. After sorting, the triangles of a face are neighbours. */
+/* Sort key of a triangle: the plane and the part that contain it. After sorting, the triangles of a face are
+ * neighbours. */
 typedef struct { int64_t plane[4]; uint32_t part, triangle; } key;
 
 static int by_face(const void *a, const void *b) {
@@ -224,8 +226,8 @@ static int by_face(const void *a, const void *b) {
   return x->triangle < y->triangle ? -1 : x->triangle > y->triangle;
 }
 
-/* Returns the mean hours of sunlight on a triangle, sampled at the centres of smaller triangles. share: the triangle's
- * part of the whole area; a larger triangle has more samples. */
+/* Returns the mean hours of sunlight on the triangle p, sampled at the centres of smaller triangles. share: the
+ * triangle's area divided by the area of all triangles; a larger share leads to more samples. */
 static double hours_on(const study *t, const vs_vec3 p[3], vs_vec3 normal, double share) {
   int n = (int)fmin(fmax(ceil(sqrt(share * 4000)), 1), 12);
   double sum = 0;
@@ -248,7 +250,7 @@ static bool put_face(const study *t, FILE *to, const face *f) {
   fputc('"', to);
   for (const char *c = o ? o->file : ""; *c; c++) fputs(*c == '"' ? "\"\"" : (char[]){ *c, 0 }, to);
   if (o) fprintf(to, ":%u:%u", o->line, o->column);
-  bool level = fabs(f->normal.z) > 1 - 1e-9; /* level: a horizontal face has no compass direction */
+  bool level = fabs(f->normal.z) > 1 - 1e-9; /* level: whether the face is horizontal and so has no compass direction */
   return fprintf(to,
       "\",%.1f,%.1f,%.6g,%.6g,%.6g,%.6g,%.3f\n", level ? 0 : azimuth < -1e-9 ? azimuth + 360 : fabs(azimuth),
                  tilt, m.x + 0.0, m.y + 0.0, m.z + 0.0, f->area, f->hours / f->area) > 0;
@@ -342,8 +344,8 @@ static void put_picture(const sheet *s, size_t number, const unsigned char *rgb,
   vs_picture_text(&s->picture, x, y + s->cell_high + 4, caption);
 }
 
-/* Renders the model with one position of the sun, applies the tone curve, and writes shadow-NNN.png. Also draws the
- * picture on the contact sheet. */
+/* Renders the model with one position of the sun, applies the tone curve, and writes shadow-NNN.png. Also copies the
+ * picture to the contact sheet. */
 static vs_outcome shade(study *t, const vs_output_options *o, const sun *s, size_t number, vs_tone *tone,
     const sheet *to) {
   static const char *const wanted[] = { "R", "G", "B", NULL };
@@ -379,7 +381,7 @@ static vs_outcome shade_all(study *t, const vs_output_options *options, size_t *
   vs_output_options o = *options;
   if (o.quality != VS_QUALITY_FINAL) o.quality = VS_QUALITY_DRAFT;
   if (!o.width) o.width = 320;
-  memset(o.crop, 0, sizeof o.crop); /* pictures on the contact sheet are not cropped */
+  memset(o.crop, 0, sizeof o.crop); /* the pictures for the contact sheet are not cropped */
   if (!o.height) o.height = (o.width * 3 + 2) / 4;
   sheet s = { .cell_wide = (uint32_t)o.width, .cell_high = (uint32_t)o.height };
   vs_tone tone = vs_session_tone(&o.development);
@@ -387,7 +389,8 @@ static vs_outcome shade_all(study *t, const vs_output_options *options, size_t *
   for (size_t i = 0; i < t->count; i++) days += t->suns[i].altitude > 0;
   if (!days) return VS_OUTCOME_DONE;
   if (!begin_sheet(t, &s, days)) return vs_session_report_error(t->session, &t->error);
-  /* Begins with the highest sun: its exposure is used for all pictures, so that they can be compared. */
+  /* Begins with the highest position of the sun. The exposure of its picture is used for all pictures, so that they can
+   * be compared. */
   size_t number[TIMES], high = 0, n = 0;
   for (size_t i = 0; i < t->count; i++) {
     number[i] = n;
@@ -409,7 +412,7 @@ static vs_outcome shade_all(study *t, const vs_output_options *options, size_t *
 
 /* ---- running a study ---- */
 
-/* Computes the mesh of the drawn references, and the tree of its triangles for ray tracing. */
+/* Computes the mesh of the drawn objects, and a tree of the mesh's triangles for ray tracing. */
 static bool take_model(study *t, const vs_ref *refs, size_t count) {
   const vs_scene *scene = &t->session->bind.scene;
   vs_fineness facets = { .tolerance = vs_bind_tolerance(t->session->bind.vm), .segments = scene->segments };

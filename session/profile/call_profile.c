@@ -1,8 +1,9 @@
-/* Samples the calls of a running program. A sample adds the time since the one before to a node of a tree: the running
- * procedure with its place, below its callers. Calls in the library belong to the program's call that led to them.
+/* Samples the calls of a running program. A sample adds the time since the previous sample to a node of a tree. The
+ * node is the running procedure at its place; its parent is the caller. Time in the library counts for the program's
+ * call that led there.
  *
- * Polls come after a number of calls, not of seconds, but each adds the time that has passed: the error of a place is
- * at most the time between two polls. */
+ * Samples are taken after a number of calls, not of seconds. The error in the time of a place is at most the time
+ * between two samples. */
 #include "session/profile/call_profile.h"
 
 #include <stdlib.h>
@@ -14,22 +15,24 @@
 #include "vm/machine/activation.h"
 #include "vm/machine/poll.h"
 
-enum { SLOTS = 8192, DEPTH = 200, MOST_CALLS = 1 << 20, TURNS = 1000 /* calls and loop turns between two samples */ };
+enum { SLOTS = 8192, DEPTH = 200, MOST_CALLS = 1 << 20, TURNS = 1000 /* TURNS: number of calls and loop iterations
+                                                                      * between two samples */ };
 
-/* A node of the tree. The name is a symbol, or another value for a procedure without a name. caller: 1 + its index, 0
- * at top level. next: the next node in the same slot of the table, likewise. */
+/* A node of the tree of calls. name: a symbol, or another value for a procedure without a name. caller: 1 + the index
+ * of the calling node, 0 at top level. next: 1 + the index of the next node in this slot of the hash table, or 0. */
 typedef struct { vs_value name; vs_pos place; uint32_t caller, next; double seconds, bytes; } call;
 
-/* A procedure: the sums of its calls. */
+/* Sums over all calls of a procedure. own: seconds in the procedure itself; whole: seconds with the procedures that it
+ * calls. */
 typedef struct { vs_value name; vs_pos place; double own, whole; uint32_t stamp; } row;
 
 typedef struct vs_call_profile {
   call *calls; size_t count, room;
   row *rows; size_t row_count, row_room;
-  size_t summed;            /* number of samples in the rows */
+  size_t summed;            /* number of samples that the rows include */
   size_t looks;
-  double looked, allocated; /* clock in seconds, and bytes allocated so far, at the last sample */
-  double whole;             /* seconds of all samples */
+  double looked, allocated; /* at the last sample: clock in seconds, and number of bytes allocated so far */
+  double whole;             /* sum of the seconds of all samples */
   uint32_t slots[SLOTS];
 } profile;
 
@@ -37,7 +40,7 @@ static double allocated(const vs_scheme *vm) {
   return (double)vm->collections * (double)vm->nursery_bytes + (double)(vm->free - vm->nursery);
 }
 
-/* Makes room for one more element. Returns false when memory is out. */
+/* Enlarges the array at *at if it has no room for one more element. Returns false when memory is out. */
 static bool grow(vs_session *s, void **at, size_t *room, size_t count, size_t size) {
   if (count < *room) return true;
   size_t more = *room ? 2 * *room : 256;
@@ -49,7 +52,8 @@ static bool grow(vs_session *s, void **at, size_t *room, size_t count, size_t si
 
 /* ---- taking samples ---- */
 
-/* Returns 1 + the index of the call with this caller, or 0 when memory is out. */
+/* Returns 1 + the index of the node with this caller, name and place, or 0 when memory is out. Adds the node if it is
+ * missing. */
 static uint32_t call_below(vs_session *s, uint32_t caller, vs_value name, vs_pos place) {
   profile *p = s->profile;
   uint64_t key = (name ^ (uint64_t)place * UINT64_C(0x9E3779B97F4A7C15)) + caller;
@@ -128,7 +132,7 @@ static int most_own(const void *a, const void *b) {
   return x->whole < y->whole ? 1 : x->whole > y->whole ? -1 : x->place < y->place ? -1 : x->place > y->place;
 }
 
-/* Sums the calls of each procedure that has a name. A procedure that calls itself counts once for a sample. */
+/* Sums the calls of each procedure that has a name. In each sample, a procedure that calls itself counts only once. */
 static void sum_rows(vs_session *s) {
   profile *p = s->profile;
   p->row_count = 0, p->summed = p->looks;
