@@ -49,9 +49,9 @@ typedef enum {
   VS_OUTCOME_MODEL = 1,         /* the model has a fault; the diagnostic names its place */
   VS_OUTCOME_USAGE = 2,         /* a bad argument, or a file that cannot be read or written */
   VS_OUTCOME_WORKER = 3,        /* a worker program (POV-Ray, ...) is missing or failed */
-  VS_OUTCOME_MACHINE = 4,       /* a limit of memory, time or steps, or a failure of the machine */
-  VS_OUTCOME_STOPPED = -1,      /* (break) or a single step paused the program, which needs VS_EVAL_STOP; no exit code.
-                                 * vs_stop_get returns the place, vs_resume continues the program */
+  VS_OUTCOME_MACHINE = 4,       /* a limit of memory, time or steps was reached, or the machine failed */
+  VS_OUTCOME_STOPPED = -1,      /* (break) or a single step has paused the program; only with the flag VS_EVAL_STOP. It
+                                 * is no exit code. vs_stop_get returns the place, vs_resume continues the program */
   VS_OUTCOME_INTERRUPTED = 130
 } vs_outcome;
 
@@ -60,9 +60,10 @@ typedef enum {
 typedef enum { VS_SEVERITY_ERROR, VS_SEVERITY_WARNING, VS_SEVERITY_NOTE } vs_severity;
 
 typedef struct {
-  const char *file;         /* the file's name, as given when it was opened; NULL: no source text */
-  uint32_t line, column;    /* place of the first character; 0: not known */
-  uint32_t end_line, end_column; /* place just after the last character; 0: not known, the host shows a single caret */
+  const char *file;         /* name of the source file, as given when it was opened; NULL: there is no source text */
+  uint32_t line, column;    /* place of the first character; 0: the place is not known */
+  uint32_t end_line, end_column; /* place just after the last character; 0: the end is not known, and the host shows a
+                                  * single caret */
 } vs_span;
 
 typedef struct {
@@ -75,8 +76,8 @@ typedef struct {
   vs_outcome outcome;      /* kind of the failure; VS_OUTCOME_DONE for warnings and notes */
   vs_span at;
   const char *message;     /* text without the place, such as "make-sphere: r must be positive, got -2" */
-  const char *source_line; /* the text of line `at.line`, without its newline; NULL: not known */
-  const vs_diagnostic_note *notes; /* the program's call chain, innermost first, then hints */
+  const char *source_line; /* the text of line `at.line`, without its newline; NULL: the line is not known */
+  const vs_diagnostic_note *notes; /* the calls that led to the error, innermost first, then hints */
   size_t note_count;
 } vs_diagnostic;
 
@@ -93,11 +94,11 @@ typedef struct {
 /* The host's callbacks. Each receives `context`. Every member may be NULL. */
 typedef struct {
   void *context;
-  /* Writes text that the program prints (display, write ...). Returns false on failure; the program then gets an error.
-   * NULL: the interpreter discards the text. */
+  /* Receives text that the program prints (display, write ...). Returns false on failure; the program then gets an
+   * error. NULL: the interpreter discards the text. */
   bool (*output)(void *context, const char *text, size_t length);
-  /* Returns a line of console input for (read-line) and (read), with its newline; NULL at the end. The line must stay
-   * valid until the next call. */
+  /* Returns a line of console input for (read-line) and (read), with its newline, or NULL at the end of the input. The
+   * line must stay valid until the next call of `input`. */
   const char *(*input)(void *context, size_t *length);
   /* Receives each error, warning and note. NULL: the interpreter writes them to standard error. */
   void (*diagnose)(void *context, const vs_diagnostic *d);
@@ -105,51 +106,53 @@ typedef struct {
   void (*progress)(void *context, const vs_progress *p);
   /* Returns true to interrupt the running program, as vs_interrupt does. Called every few milliseconds. */
   bool (*poll)(void *context);
-  /* Receives each value of a top-level expression, once, when VS_EVAL_PRINT is set. The text is the one that the prompt
-   * prints ("1/3 ; 0.333333"); a long one ends in " ...". */
+  /* Receives each value of a top-level expression, once, when VS_EVAL_PRINT is set. `text` is the text that the prompt
+   * prints ("1/3 ; 0.333333"); a long text is cut and ends in " ...". */
   void (*value)(void *context, const char *text, size_t length);
-  /* Reads a whole source file for load, include, require, load-mesh and vs_eval_file. Returns true, with *text from
-   * malloc; the interpreter frees it. Returns false on failure, with the reason in *why ("no such file"): a static
-   * text, or one that is valid until the next call. NULL: the interpreter reads from the file system. */
+  /* Reads a whole source file for load, include, require, load-mesh and vs_eval_file. Returns true and sets *text to a
+   * block from malloc, which the interpreter frees. On failure, returns false and sets *why to the reason ("no such
+   * file"), a text that is valid until the next call. NULL: the interpreter reads from the file system. */
   bool (*read_file)(void *context, const char *path, char **text, size_t *length, const char **why);
   /* Lists a folder for directory-files: passes each name to `take`, in any order, until `take` returns false. Returns
-   * false if `take` did, or on failure with the reason in *why, as read_file gives it. NULL: the interpreter lists
-   * folders of the file system if read_file is NULL too, and no folder otherwise. */
+   * false if `take` did, or on failure, after setting *why as read_file does. NULL: the interpreter lists folders of
+   * the file system if read_file is NULL too, and no folder otherwise. */
   bool (*list_folder)(void *context, const char *path, bool (*take)(void *to, const char *name, size_t length),
                       void *to, const char **why);
 } vs_host;
 
-/* Allocates, resizes or frees a block, as realloc does: new_size 0 frees, a result of NULL means failure. old_size:
- * size of the last request for this block. */
+/* Allocates, resizes or frees a block, as realloc does. If new_size is 0, frees the block. A result of NULL means
+ * failure. old_size: size of the last request for this block. */
 typedef void *vs_alloc_fn(void *context, void *old, size_t old_size, size_t new_size);
 
 typedef struct {
   vs_host host;
   vs_alloc_fn *alloc;     /* allocator; NULL: the C library's */
   void *alloc_context;
-  double limit_time;      /* Time limit in seconds of an evaluation, and of an output without its worker program. Here
-                           * and in the limits below, 0 means no limit */
-  size_t limit_memory;    /* limit in bytes of the heap, the model, and the solids that an output combines, together */
+  double limit_time;      /* Time limit in seconds for an evaluation, and for an output without its worker program. For
+                           * this member and the limits below, 0 means no limit */
+  size_t limit_memory;    /* limit in bytes for the sum of the heap, the model, and the solids that an output
+                           * combines */
   uint64_t limit_steps;   /* greatest number of calls and loop iterations of an evaluation */
   size_t limit_output;    /* greatest number of bytes that an evaluation may print */
   double limit_worker;    /* time limit in seconds of a worker program */
   size_t limit_triangles; /* greatest number of triangles in the mesh of an output */
-  size_t cache;           /* bytes of results (meshes) that the interpreter keeps for later outputs. 0: 256 MB, or a
-                           * quarter of limit_memory; SIZE_MAX: it keeps nothing */
-  bool keep_calls;        /* whether an error keeps the parameters of its calls, for vs_call_get at a prompt; each error
-                           * then takes more time */
+  size_t cache;           /* greatest number of bytes of results (meshes) that the interpreter keeps for later outputs.
+                           * 0: 256 MB, or a quarter of limit_memory; SIZE_MAX: the interpreter keeps no results */
+  bool keep_calls;        /* whether an error keeps the variables of the calls that led to it, for vs_call_get at a
+                           * prompt; each error then takes more time */
   bool untrusted;         /* whether the program is untrusted: it reads no files except by read_file and list_folder,
                            * and writes no native text */
   const char *library_path; /* folders for load, require and import, separated by ':'. The interpreter searches them
                              * after the folders of the requesting file and of the program. NULL: none */
-  /* The result of (command-line): the program's name, then its arguments. A count of 0 means "vs". */
+  /* The result of (command-line): the program's name, then its arguments. If the count is 0, the result contains only
+   * "vs". */
   const char *const *command_line; size_t command_line_count;
 } vs_options;
 
 VS_API vs_options vs_options_default(void);
 
-/* Returns a new interpreter, which the caller frees by vs_free. Returns NULL if memory is out. o NULL: the defaults.
- * The interpreter copies the data of o, and calls the callbacks until vs_free. */
+/* Returns a new interpreter, which the caller frees by vs_free. Returns NULL if memory is out. If o is NULL, uses the
+ * default options. The interpreter copies the data of o, and calls its callbacks until vs_free. */
 VS_API vs_scheme *vs_new(const vs_options *o);
 VS_API void vs_free(vs_scheme *s); /* frees the interpreter; s may be NULL */
 
@@ -162,32 +165,34 @@ VS_API void vs_interrupt_clear(vs_scheme *s);
 
 /* Flags of an evaluation. */
 enum {
-  VS_EVAL_PRINT = 1u,  /* passes the values of top-level expressions to `value`, as the prompt does */
-  /* The text is a whole program, as a file is. If it begins with an import, it sees only its imports. Without this
-   * flag imports add names. */
+  VS_EVAL_PRINT = 1u,  /* passes each value of a top-level expression to the callback `value`, as the prompt does */
+  /* The text is a whole program, like a file. If the program begins with an import, it can use only the imported names.
+   * Without this flag, an import adds names to the visible names. */
   VS_EVAL_PROGRAM = 2u,
-  /* With VS_EVAL_PRINT: the n-th value since vs_new or vs_restart gets the name $n. The callback `value` receives an
-   * object as one line. */
+  /* With VS_EVAL_PRINT: the n-th value since vs_new or vs_restart gets the name $n. If the value is an object, the
+   * callback `value` receives a description in one line. */
   VS_EVAL_NUMBER = 4u,
-  VS_EVAL_STOP = 8u,    /* (break) pauses the program (VS_OUTCOME_STOPPED). Without this flag it warns and continues */
+  VS_EVAL_STOP = 8u,    /* (break) pauses the program (VS_OUTCOME_STOPPED). Without this flag, (break) causes a warning,
+                         * and the program continues */
   VS_EVAL_STEP = 16u,   /* with VS_EVAL_STOP: pauses the program before the first call in the text */
-  VS_EVAL_WITHIN = 32u, /* if a program is paused, the text's expressions see the variables at its place */
+  VS_EVAL_WITHIN = 32u, /* if a program is paused, the text's expressions can use the variables visible at the place of
+                         * the pause */
   VS_EVAL_PASS = 64u,   /* the text has run before: (break) neither pauses the program nor warns */
-  /* Checks (check-expect ...) wait for vs_check_next. Without this flag and without VS_EVAL_PASS they run at the text's
-   * end, and each failed check is a warning. */
+  /* Checks (check-expect ...) wait for vs_check_next. Without this flag and without VS_EVAL_PASS, checks run at the end
+   * of the text, and each failed check causes a warning. */
   VS_EVAL_CHECK_LATER = 128u,
-  VS_EVAL_TRY = 256u    /* the text is unsaved: it neither writes nor deletes files */
+  VS_EVAL_TRY = 256u    /* the text is unsaved: the program can neither write nor delete files */
 };
 
-/* Evaluate the top-level forms of a file or a text in order, in the single program of this interpreter. Both functions
- * end at the first error. The interpreter remembers the objects that top-level expressions return: if the program never
- * draws, they are the model. */
+/* vs_eval_file and vs_eval_text evaluate the top-level forms of a file or a text in order, in the single program of
+ * this interpreter. They end at the first error. The interpreter remembers the objects that top-level expressions
+ * return: if the program never draws, these objects are the model. */
 VS_API vs_outcome vs_eval_file(vs_scheme *s, const char *path, unsigned flags);
 /* Returns the name, in words, of the language that the path's suffix denotes, if it is a language other than
  * VisualScheme. Otherwise returns NULL. vs_eval_file runs files of each such language. */
 VS_API const char *vs_language_of(const char *path);
-/* Evaluates a text. name: its name in diagnostics ("house.vs", "-e"); relative loads start in its folder. first_line:
- * number of the text's first line in that file. */
+/* Evaluates a text. name: the text's name in diagnostics ("house.vs", "-e"); relative paths in `load` start at the
+ * folder of this name. first_line: line number of the text's first line in the file `name`. */
 VS_API vs_outcome vs_eval_text(vs_scheme *s, const char *name, unsigned first_line, const char *text, size_t length,
                                unsigned flags);
 
@@ -198,27 +203,28 @@ VS_API vs_outcome vs_eval_text(vs_scheme *s, const char *name, unsigned first_li
 VS_API vs_outcome vs_restart(vs_scheme *s);
 
 /* Returns true if the program called (exit code). The evaluation then ended with VS_OUTCOME_DONE, and the host should
- * run nothing more. *code is 0 for (exit) and (exit #t), 1 for (exit #f), otherwise the given number. */
+ * run no more of the program. *code is 0 for (exit) and (exit #t), 1 for (exit #f), otherwise the given number. */
 VS_API bool vs_exit_requested(const vs_scheme *s, int *code);
 
-/* The state of a text, for continuation lines and editors. vs_read_check evaluates and changes nothing. */
+/* The state of a text that may be incomplete, for continuation lines and editors. vs_read_check neither evaluates the
+ * text nor changes the interpreter. */
 typedef enum {
   VS_READ_EMPTY,      /* the text contains only blanks and comments */
   VS_READ_COMPLETE,
   VS_READ_INCOMPLETE, /* more text could complete it: a parenthesis, string or comment is open */
-  VS_READ_BAD         /* no more text can repair it; line, column and message give the reason */
+  VS_READ_BAD         /* the text has a fault that no further text can repair; line, column and message describe it */
 } vs_read_state;
 typedef struct {
   vs_read_state state;
-  unsigned depth;          /* VS_READ_INCOMPLETE: number of open parentheses */
-  unsigned line, column;   /* Line and column, from 1. VS_READ_INCOMPLETE: those of the innermost open parenthesis,
-                            * string or comment. VS_READ_BAD: those of the fault */
+  unsigned depth;          /* if VS_READ_INCOMPLETE: number of open parentheses */
+  unsigned line, column;   /* Line and column, from 1. VS_READ_INCOMPLETE: place of the innermost open parenthesis,
+                            * string or comment. VS_READ_BAD: place of the fault */
   const char *message;     /* VS_READ_BAD: reason, such as "( is closed by ]"; otherwise NULL */
 } vs_read_status;
 VS_API vs_read_status vs_read_check(vs_scheme *s, const char *text, size_t length);
 
-/* Passes each name that is visible at top level and begins with prefix to `each`, in sorted order, until `each` returns
- * false. Returns the number of names passed. */
+/* Passes each name that is visible at top level and begins with `prefix` to `each`, in sorted order, until `each`
+ * returns false. Returns the number of names passed. */
 VS_API size_t vs_complete(vs_scheme *s, const char *prefix, bool (*each)(void *context, const char *name),
                           void *context);
 
@@ -226,22 +232,24 @@ VS_API size_t vs_complete(vs_scheme *s, const char *prefix, bool (*each)(void *c
 
 typedef struct {
   const char *kind;     /* kind: "procedure", "form" (if, define ...) or "value" */
-  /* A call, such as "(make-sphere c r)", with a line for each form of call; "": not known. */
+  /* How the name is called, such as "(make-sphere c r)", with a line for each possible list of arguments; "" if not
+   * known. */
   const char *call;
-  const char *keywords; /* the procedure's keyword arguments, such as "#:segments #:plane"; "": none */
-  const char *doc;      /* short description in English, half a line; "": none */
-  const char *value;    /* value in written form, cut to a line; "" for procedures and forms */
-  bool own;             /* whether the program or a library defines the name, not the language */
-  vs_span at;           /* place of the definition; file NULL: not known, or part of the language */
+  const char *keywords; /* the procedure's keyword arguments, such as "#:segments #:plane"; "" if it has none */
+  const char *doc;      /* short description in English, half a line; "" if there is none */
+  const char *value;    /* text of the value as a program writes it, cut to a line; "" for procedures and forms */
+  bool own;             /* true if the program or a library defines the name, false if the language does */
+  vs_span at;           /* place of the definition; its file is NULL if the place is not known, or the language defines
+                         * the name */
 } vs_name_info;
 /* Describes a name that is visible at top level. Returns false if there is no such name. */
 VS_API bool vs_name_get(vs_scheme *s, const char *name, vs_name_info *out);
 /* Returns the advice that an error gives for an unknown name: "make-box is the name here: ...", "did you mean
  * make-box?". Returns "" if there is no advice. */
 VS_API const char *vs_name_advice(vs_scheme *s, const char *name);
-/* Returns the message with the advice that a run adds to an error at this byte of the text. The error concerns an
- * unknown name ("x is not defined"), a value that is called, the name of a form alone, or (< 1 x < 3). The message is
- * valid until the next call with `s`. */
+/* Adds advice to the message of an error, as a run of the text would. The error is at this byte of the text. It
+ * concerns an unknown name ("x is not defined"), a called value that is no procedure, the name of a form without
+ * parentheses, or a chain (< 1 x < 3). The result is valid until the next call with `s`. */
 typedef enum { VS_ADVICE_NAME, VS_ADVICE_CALL, VS_ADVICE_WORD, VS_ADVICE_CHAIN } vs_advice_kind;
 VS_API const char *vs_place_advice(vs_scheme *s, vs_advice_kind kind, const char *text, size_t length, size_t at,
                                    const char *message);
@@ -252,66 +260,73 @@ VS_API bool vs_disassemble(vs_scheme *s, const char *name, bool (*each)(void *co
 
 /* ---- paused programs: by (break), or by single steps ---- */
 
-/* While a program is paused, the host may evaluate other text, which may pause too: paused programs form a stack.
- * vs_restart drops all of them. */
+/* While a program is paused, the host may evaluate another text, which may pause, too. The paused programs form a
+ * stack. vs_restart removes all of them. */
 
 typedef enum {
   VS_STOPPED_BREAK,       /* the program called (break) */
   VS_STOPPED_CALL,        /* the program is about to make a call */
-  VS_STOPPED_VALUE        /* a call has returned a value; only in single steps. The host continues at once by
-                           * VS_RESUME_SAME */
+  VS_STOPPED_VALUE        /* a call has returned a value; only during single steps. The host should continue at once
+                           * with VS_RESUME_SAME */
 } vs_stopped;
 typedef struct {
   vs_stopped kind;
-  vs_span at;             /* place of the expression; the end is known if it is on the same line */
-  const char *source_line; /* source text of the line, or NULL */
-  const char *procedure;  /* name of the procedure that contains the expression; "": none */
-  const char *text;       /* CALL: the call with the values of its arguments, such as "(area 3 4)". VALUE: the value.
-                           * BREAK: "" */
+  vs_span at;             /* place of the expression at which the program is paused; its end is known only if it is on
+                           * the same line */
+  const char *source_line; /* source text of the line that contains this place, or NULL */
+  const char *procedure;  /* name of the procedure that contains the expression; "" at top level or if it has no name */
+  const char *text;       /* If kind is CALL: the call with the values of its arguments, such as "(area 3 4)". VALUE:
+                           * the returned value. BREAK: "" */
 } vs_stop_info;
 /* Describes the latest pause. Returns false if no program is paused. The texts are valid until the next call of any
- * function of this interpreter. Until another error occurs, vs_call_get gives the calls of this pause. */
+ * function of this interpreter. Until an error occurs, vs_call_get returns the calls that led to this pause. */
 VS_API bool vs_stop_get(vs_scheme *s, vs_stop_info *out);
 /* Returns the number of paused programs. */
 VS_API size_t vs_stop_depth(const vs_scheme *s);
 
 typedef enum {
   VS_RESUME_CONTINUE,     /* runs to the next (break) */
-  VS_RESUME_ENTER,        /* runs to the next call, including calls inside the callee */
-  VS_RESUME_OVER,         /* runs to the next call in the same procedure or its callers */
-  VS_RESUME_OUT,          /* runs to the next call in the procedure's callers */
-  VS_RESUME_SAME          /* continues in the way of the previous vs_resume */
+  VS_RESUME_ENTER,        /* runs to the next call, including calls inside the procedure that is called now */
+  VS_RESUME_OVER,         /* runs to the next call in the same procedure or in its callers */
+  VS_RESUME_OUT,          /* runs to the next call in the callers of the current procedure */
+  VS_RESUME_SAME          /* continues as the previous vs_resume did */
 } vs_resume_way;
-/* Continues the program that paused last, with the flags that started it. Returns as vs_eval_text does;
- * VS_OUTCOME_USAGE: no program is paused. */
+/* Continues the program that paused last, with the flags of its evaluation. Returns an outcome as vs_eval_text does, or
+ * VS_OUTCOME_USAGE if no program is paused. */
 VS_API vs_outcome vs_resume(vs_scheme *s, vs_resume_way way);
-/* Drops the program that paused last. */
+/* Removes the program that paused last; it cannot be continued. */
 VS_API void vs_stop_drop(vs_scheme *s);
 
 /* ---- the calls of the last error, with their variables (vs_options.keep_calls) ---- */
 
 typedef struct {
-  const char *procedure;  /* name of the procedure; "": it has no name */
-  const char *variables;  /* its parameters, local and captured variables, such as "n = 3, points = (...)" */
+  const char *procedure;  /* name of the procedure; "" if it has no name */
+  const char *variables;  /* names and values of the procedure's parameters, local and captured variables, such as "n =
+                           * 3, points = (...)" */
   vs_span at;             /* place of the call that this procedure was making */
 } vs_call_info;
-/* Describes a call; index 0 is the innermost. Returns false for an index after the last call, or if there was no
- * error. */
+/* Describes a call that led to the last error. Index 0 is the innermost call. Returns false for an index after the last
+ * call, or if there was no error. */
 VS_API bool vs_call_get(vs_scheme *s, size_t index, vs_call_info *out);
 
 /* ---- profile ---- */
 
-/* Starts (on) or ends sampling: often, the interpreter records the running calls. A start discards earlier samples. */
+/* Starts (if `on`) or ends the profiler, which often records the procedures that are running. A start discards earlier
+ * samples. */
 VS_API void vs_profile(vs_scheme *s, bool on);
 typedef struct { const char *procedure; vs_span at; double own, whole;
-    /* fractions of all samples. own: in the procedure itself. whole: also in its callees */ } vs_profile_info;
-/* Describes a procedure; index 0 has the most time. Returns false for an index after the last. *looks is the number of
- * samples. */
+    /* fractions of the time of all samples, 0 to 1. own: in the procedure itself. whole: also in the procedures that it
+     * calls */ } vs_profile_info;
+/* Describes a procedure in the profile. Index 0 is the procedure with the most time. Returns false for an index after
+ * the last. Sets *looks to the number of samples. */
 VS_API bool vs_profile_get(vs_scheme *s, size_t index, vs_profile_info *out, size_t *looks);
-typedef struct { const char *procedure; vs_span at; /* its name, or ""; the place that runs in it */
-    size_t caller; /* 1 + index of its caller, which comes before it; 0: none */
-    double seconds, bytes; /* time, and memory allocated, at this place without its callees */ } vs_profile_call_info;
-/* Describes a call of the tree of calls, each below its caller. Returns false for an index after the last. */
+typedef struct { const char *procedure; vs_span at; /* procedure: name of the called procedure, or "". at: place in the
+                                                     * procedure that was running */
+    size_t caller; /* 1 + the index of the calling entry, which has a smaller index; 0 if there is no caller */
+    double seconds, bytes; /* seconds, and bytes of memory allocated, at this place, without those of called
+                            * procedures */ } vs_profile_call_info;
+/* Describes an entry of the profile's tree of calls. A caller's index is smaller than the indices of the calls below
+ * it. Returns false for an index after the last. */
 VS_API bool vs_profile_call(vs_scheme *s, size_t index, vs_profile_call_info *out);
 
 /* ---- parameters: results of (define-parameter ...), as data for sliders and -D ---- */
@@ -324,68 +339,79 @@ typedef enum {
   VS_PARAMETER_DATUM
 } vs_parameter_type;
 typedef struct {
-  const char *name, *label, *group;     /* label: the name, if the program gives none. group: "" if the program gives
-                                         * none */
-  vs_parameter_type type;               /* type of the default value */
-  const char *value, *default_value;    /* values as written data; strings have no quotes */
-  bool has_range;                       /* whether min, max and step are set: a number without choices */
-  double min, max, step;                /* range, and distance between allowed values; step 0: any value */
-  const char *const *choices;           /* allowed values, in the form of `value`; NULL: any value */
+  const char *name, *label, *group;     /* label: the label from the program, otherwise the name. group: the group from
+                                         * the program, otherwise "" */
+  vs_parameter_type type;               /* type of the parameter's default value */
+  const char *value, *default_value;    /* value, default_value: texts of the values as a program writes them; strings
+                                         * are without quotes */
+  bool has_range;                       /* whether min, max and step are set, as for a number without a list of
+                                         * choices */
+  double min, max, step;                /* range of the value, and distance between two allowed values; if step is 0,
+                                         * every value in the range is allowed */
+  const char *const *choices;           /* allowed values, each written like `value`; NULL if any value is allowed */
   size_t choice_count;
   vs_span at;
-  const char *unit;                     /* unit after the number, such as "m"; "": none */
-  bool has_min, has_max;                /* whether the program gives min, max; otherwise they derive from the default */
+  const char *unit;                     /* unit shown after the number, such as "m"; "" if there is none */
+  bool has_min, has_max;                /* has_min, has_max: whether the program sets min and max; otherwise these are
+                                         * computed from the default value */
 } vs_parameter_info;
 
-/* Sets the value of a later (define-parameter name ...). datum: a single datum, which is read and never evaluated, or
- * bare text if the default is a string. Returns false, after a diagnostic, if the name or the datum cannot be read. If
- * the definition refuses the value (another type, out of range, not a choice), the evaluation ends with
- * VS_OUTCOME_USAGE. */
+/* Sets the value of the parameter that a later (define-parameter name ...) defines. datum: a single datum, which is
+ * read and never evaluated, or bare text if the default is a string. Returns false, after a diagnostic, if the name or
+ * the datum cannot be read. If the definition refuses the value (another type, out of range, not a choice), the
+ * evaluation ends with VS_OUTCOME_USAGE. */
 VS_API bool vs_parameter_set(vs_scheme *s, const char *name, const char *datum);
-/* Removes the value from vs_parameter_set: a later (define-parameter name ...) has its default. */
+/* Removes the value that vs_parameter_set has set: a later (define-parameter name ...) then uses its default value. */
 VS_API void vs_parameter_unset(vs_scheme *s, const char *name);
 VS_API size_t vs_parameter_count(const vs_scheme *s);
 VS_API bool vs_parameter_get(vs_scheme *s, size_t index, vs_parameter_info *out);
-/* Returns the index-th name from vs_parameter_set that no define-parameter has used; NULL after the last. */
-VS_API const char *vs_parameter_unused(const vs_scheme *s, size_t index);
-/* Returns the index-th name of (report name value), in the order of first use, and its last value. NULL after the
+/* Returns the index-th name that was given to vs_parameter_set and that no define-parameter has used; NULL after the
  * last. */
+VS_API const char *vs_parameter_unused(const vs_scheme *s, size_t index);
+/* Returns the index-th name that the program passed to (report name value), in the order of first use. Sets *value to
+ * the name's last value. Returns NULL after the last. */
 VS_API const char *vs_report_get(const vs_scheme *s, size_t index, double *value);
 
 /* ---- the drawing ---- */
 
 typedef struct {
-  size_t objects;                 /* number of drawn (or returned) objects; each placement counts */
-  size_t solids, surfaces, regions, curves; /* numbers of objects of each kind; a mixed union counts as a solid */
-  bool has_bounds;                /* whether there are bounds; false for an empty drawing or infinite lines alone */
+  size_t objects;                 /* number of drawn objects, or of returned objects if the program draws none; each
+                                   * placement counts */
+  size_t solids, surfaces, regions, curves; /* numbers of objects of each kind; a union of different kinds counts as a
+                                             * solid */
+  bool has_bounds;                /* whether the bounds are set; false for a drawing that is empty or contains only
+                                   * infinite lines */
   double min[3], max[3];
-  bool bounds_at_most;            /* Whether some bounds are larger than the drawing. If computing a cut would take
-                                   * long, the bounds of the uncut object are used */
+  bool bounds_at_most;            /* Whether the bounds may be larger than the drawing. If it would take long to compute
+                                   * a cut object, the bounds of the uncut object are used */
   const char *units;              /* model unit, "m" by default */
-  /* If there are no objects: the program's unused definitions, "the program defines ...". Otherwise NULL. */
+  /* If there are no objects: a list of the program's definitions that are not used, "the program defines ...".
+   * Otherwise NULL. */
   const char *advice;
 } vs_summary;
 VS_API vs_outcome vs_drawing_summary(vs_scheme *s, vs_summary *out);
 
-/* Returns the name of the model's index-th view, (view "name" ...); NULL after the last. */
+/* Returns the name of the model's index-th view, which (view "name" ...) defines; NULL after the last. */
 VS_API const char *vs_view_name(const vs_scheme *s, size_t index);
 
-/* Returns true if the interpreter has read the file at path, as a program, picture, mesh or data, by this name or
- * another. Every function that writes refuses such a path (VS_OUTCOME_USAGE). A host asks before it writes itself. */
+/* Returns true if the interpreter has read the file at path (program, picture, mesh or data), perhaps by another name.
+ * Every function that writes refuses such a path (VS_OUTCOME_USAGE). A host that writes a file itself should call this
+ * function first. */
 VS_API bool vs_is_input(const vs_scheme *s, const char *path);
 /* Returns the name of the index-th file that the interpreter has read; NULL after the last. */
 VS_API const char *vs_input_name(const vs_scheme *s, size_t index);
 /* Records a file that the host itself has read, for vs_is_input. Returns false if memory is out. */
 VS_API bool vs_note_input(vs_scheme *s, const char *path);
 
-VS_API void vs_drawing_clear(vs_scheme *s); /* clears the drawing, as (erase-all) does; also forgets returned objects */
+VS_API void vs_drawing_clear(vs_scheme *s); /* clears the drawing, as (erase-all) does; also forgets the objects that
+                                             * top-level expressions returned */
 
 /* ---- differences between two drawings ----
  *
  * Run the first program, vs_drawing_keep, vs_restart, run the second program, vs_drawing_compare. A part is an object
  * within unions, placements, materials and layers: a primitive, a sweep, a difference ... */
 
-/* Keeps the current drawing for vs_drawing_compare, also across vs_restart. Drops cached outputs. */
+/* Keeps the current drawing for vs_drawing_compare; vs_restart does not delete it. Removes cached outputs. */
 VS_API vs_outcome vs_drawing_keep(vs_scheme *s);
 
 typedef enum {
@@ -396,21 +422,24 @@ typedef enum {
 } vs_part_difference;
 
 typedef struct {
-  const char *layer, *material; /* names; "": none */
+  const char *layer, *material; /* names of the part's layer and material; "" if it has none */
   const char *text;             /* expression that makes the part, cut to a line */
-  vs_span at;                   /* place of that expression in the program; file NULL: not known */
+  vs_span at;                   /* place of that expression in the program; its file is NULL if the place is not
+                                 * known */
 } vs_part_info;
 
 typedef struct {
-  size_t same, repainted, moved, changed, added, removed; /* numbers of parts */
-  double volume_before, volume_after; /* volumes of all solids together, in cubic model units */
-  double volume_added, volume_removed; /* volumes: added is only in the second drawing, removed only in the first */
+  size_t same, repainted, moved, changed, added, removed; /* numbers of parts with each result of the comparison */
+  double volume_before, volume_after; /* total volume of all solids in the first and in the second drawing, in cubic
+                                       * model units */
+  double volume_added, volume_removed; /* volume_added: volume inside the second drawing only; volume_removed: volume
+                                        * inside the first drawing only, in cubic model units */
 } vs_comparison;
 
-/* Compares the kept drawing with the current drawing. If no drawing was kept, compares an empty drawing. Fills *out,
- * then passes the parts that differ to `each`, removed parts first, until `each` returns false. before is NULL for an
- * added part, after is NULL for a removed part. The result stays for vs_output_options.change until the next
- * comparison. */
+/* Compares the drawing from vs_drawing_keep with the current drawing. If no drawing was kept, compares an empty
+ * drawing. Fills *out, then passes the parts that differ to `each`, removed parts first, until `each` returns false.
+ * before is NULL for an added part, after is NULL for a removed part. vs_output_options.change uses this result until
+ * the next comparison. */
 VS_API vs_outcome vs_drawing_compare(vs_scheme *s, vs_comparison *out,
                                      bool (*each)(void *context, vs_part_difference what, const vs_part_info *before,
                                                   const vs_part_info *after),
@@ -423,14 +452,14 @@ typedef struct {
   bool passed;
   const char *form;       /* name of the check form, such as "check-expect" */
   const char *expression; /* source text of the expression, cut to a line */
-  const char *gives;      /* value of the expression, written as an expression, or "an error: ..." */
-  const char *expected;   /* expected value, written as an expression, or "an error: ..." */
+  const char *gives;      /* value of the expression, as a program writes it, or "an error: ..." */
+  const char *expected;   /* expected value, as a program writes it, or "an error: ..." */
 } vs_checked;
 
 typedef struct {
   void *context;
-  void (*told)(void *context, const vs_checked *result); /* receives each result; the texts are valid only during the
-                                                          * call */
+  void (*told)(void *context, const vs_checked *result); /* receives the result of each check; the texts are valid only
+                                                          * during the call */
   /* Receives, after a failed check of objects, the parts that differ, as vs_drawing_compare passes them; before is the
    * expected part. May be NULL. */
   bool (*part)(void *context, vs_part_difference what, const vs_part_info *before, const vs_part_info *after);
@@ -438,12 +467,12 @@ typedef struct {
 
 /* Returns true if a check waits from an evaluation with VS_EVAL_CHECK_LATER since vs_new or vs_restart. */
 VS_API bool vs_check_waits(const vs_scheme *s);
-/* Runs the oldest waiting check, with its own limits, even if the program failed. The drawing does not change. Returns
- * VS_OUTCOME_DONE after `told` has received the result, passed or failed. If the check is interrupted, `told` receives
- * nothing. */
+/* Runs the oldest waiting check, with limits of its own, even if the program failed. The drawing does not change.
+ * Returns VS_OUTCOME_DONE after `told` has received the result, whether the check passed or failed. If the check is
+ * interrupted, `told` receives nothing. */
 VS_API vs_outcome vs_check_next(vs_scheme *s, const vs_check_listener *listener);
-/* Returns the name of a check form that the program has redefined, so that uses of the name are not checks; NULL:
- * none. */
+/* Returns the name of a check form that the program has redefined, so that uses of the name are not checks. Returns
+ * NULL if there is none. */
 VS_API const char *vs_check_redefined(vs_scheme *s);
 
 /* ---- fitting a model to a scan ----
@@ -454,7 +483,7 @@ VS_API const char *vs_check_redefined(vs_scheme *s);
 
 typedef struct {
   bool placed;   /* whether the scan is in the model's coordinates and must not be moved */
-  bool near;     /* whether the scan is roughly in place, so that vs_fit tries no other places */
+  bool near;     /* whether the scan is roughly in place, so that vs_fit does not try other places for it */
   bool any_pose; /* whether the scan's up direction may differ from the model's */
   const char *const *held;
   size_t held_count; /* names of the parameters that keep their values */
@@ -475,26 +504,29 @@ typedef struct {
   const char *name;
   vs_fit_state state;
   double start, value;
-  double error;     /* standard error of the value; infinite if undetermined, 0 if the parameter keeps its value */
-  double low, high; /* ends of the value's interval of the chosen confidence */
+  double error;     /* standard error of the fitted value; infinite if the value is undetermined, 0 if the parameter
+                     * keeps its value */
+  double low, high; /* ends of the confidence interval of the value */
 } vs_fit_parameter;
 
 typedef struct {
-  size_t points, nowhere; /* points: number in the file. nowhere: number without finite coordinates, which vs_fit
-                           * omits */
+  size_t points, nowhere; /* points: number of points in the file. nowhere: number of points without finite coordinates,
+                           * which vs_fit omits */
   size_t samples,
-      used; /* samples: number of measured places: the points of a cloud, or points spread over a mesh. used: number of
-             * samples in the last step */
+      used; /* samples: number of places whose distance is measured: points of a cloud, or points spread over a mesh.
+             * used: number of samples in the last step */
   size_t outliers; /* number of samples further away than 4.685 times `spread`, which have no weight */
-  double spread;   /* 1.4826 times the median distance: the standard deviation, if errors are normally distributed */
+  double spread;   /* 1.4826 times the median distance. If the errors are normally distributed, this is their standard
+                    * deviation */
   double median, root_mean_square; /* median and root mean square of the distances of all samples */
-  double correlation;              /* correlation between the distances of neighbours; near 0 if the distances are only
-                                    * noise */
-  double size;                     /* size of the scan: root mean square distance from its centre */
-  double place[3][4];              /* map from the model's coordinates to the scan's */
+  double correlation;              /* correlation between the distances of neighbouring samples; near 0 if the distances
+                                    * are only noise */
+  double size;                     /* size of the scan: root mean square distance of its points from their centre */
+  double place[3][4];              /* matrix that maps the model's coordinates to the scan's */
   const char *doubt; /* reason not to trust the result: "far" "tilted" "strays" "shape" "rival"; or "none" */
-  bool converged;                  /* whether the last step no longer changed the values */
-  unsigned iterations, runs;       /* iterations: measurements of all distances. runs: runs of the program */
+  bool converged;                  /* whether the values no longer changed in the last step */
+  unsigned iterations, runs;       /* iterations: number of measurements of all distances. runs: number of runs of the
+                                    * program */
   const char *units;
 } vs_fit_result;
 
@@ -505,13 +537,15 @@ typedef struct {
  *   VS_OUTCOME_INTERRUPTED, or VS_OUTCOME_MACHINE past limit_time: it is the best so far. */
 VS_API vs_outcome vs_fit(vs_scheme *s, const char *model, const char *scan, const vs_fit_options *o,
                          vs_fit_result *out);
-/* Describes a parameter of the last fit, in the program's order. Returns false if there is no such index. */
+/* Describes a parameter of the last fit. Parameters are in the program's order. Returns false if there is no such
+ * index. */
 VS_API bool vs_fit_parameter_get(const vs_scheme *s, size_t index, vs_fit_parameter *out);
-/* Returns the signed distances of the scan's points from the fitted model, negative inside, in the file's order; a NaN
- * for a point without finite coordinates. They are valid until the next vs_fit. Returns NULL if there was no fit. */
+/* Returns the signed distances of the scan's points from the fitted model, in the file's order. A distance is negative
+ * inside the model, and NaN for a point without finite coordinates. The array is valid until the next vs_fit. Returns
+ * NULL if there was no fit. */
 VS_API const double *vs_fit_distances(const vs_scheme *s, size_t *count);
 /* Writes the scan as .ply or .x3d, by the path's suffix, coloured by the distances of vs_fit_distances: blue at -range,
- * grey at 0, red at range. range 0: the range that contains 98 % of the points. *used is the range. */
+ * grey at 0, red at range. If range is 0, uses the range that contains 98 % of the points. Sets *used to the range. */
 VS_API vs_outcome vs_fit_map(vs_scheme *s, const char *path, double range, double *used);
 
 /* ---- output ---- */
@@ -525,19 +559,20 @@ typedef struct {
 } vs_format_info;
 /* Returns the constant list of the library's output formats. */
 VS_API const vs_format_info *vs_format_list(size_t *count);
-VS_API const char *vs_format_endings(void); /* returns the suffixes ".pov .png ...", for messages */
-/* Returns the format with this name, suffix or file ("stl", ".stl", "out/a.stl"); NULL: none. */
+VS_API const char *vs_format_endings(void); /* returns the suffixes of all formats, ".pov .png ...", for messages */
+/* Returns the format with this name, suffix or suffix of a path ("stl", ".stl", "out/a.stl"), or NULL if there is
+ * none. */
 VS_API const vs_format_info *vs_format_find(const char *name_or_suffix);
 
 /* Finds a format as vs_format_find does, also among the formats that the program defines (define-back-end). Returns
- * false if there is none. The data at *out is valid until the next evaluation. */
+ * false if there is none. The texts in *out are valid until the next evaluation. */
 VS_API bool vs_format_of(const vs_scheme *s, const char *name_or_suffix, vs_format_info *out);
 
 /* The names of the optimisation passes; bit i of a mask is the i-th name. */
 #define VS_PASSES_ALL (~0u)
 VS_API const char *const *vs_pass_list(size_t *count);
 
-/* Returns the names of the looks of pictures, and their number in *count. */
+/* Returns the names of the looks (styles) of pictures. Sets *count to their number. */
 VS_API const char *const *vs_look_list(size_t *count);
 
 typedef enum { VS_QUALITY_DRAFT, VS_QUALITY_GOOD, VS_QUALITY_FINAL } vs_quality;
@@ -546,44 +581,49 @@ typedef enum { VS_QUALITY_DRAFT, VS_QUALITY_GOOD, VS_QUALITY_FINAL } vs_quality;
 typedef enum { VS_CURVE_NEUTRAL, VS_CURVE_AGX, VS_CURVE_FILMIC, VS_CURVE_LINEAR } vs_curve;
 typedef struct {
   vs_curve curve;
-  bool fixed;            /* whether exposure is relative to the light itself; otherwise it is relative to the value from
-                          * the picture's histogram */
-  double exposure;       /* exposure in stops (EV): each doubles the light */
+  bool fixed;            /* whether `exposure` applies to the picture's light itself; otherwise it is added to the
+                          * exposure computed from the picture's histogram */
+  double exposure;       /* exposure in stops (EV); each stop doubles the light */
 } vs_development;
 
 typedef struct {
-  int width, height;     /* size in pixels. Both 0: 1024 by 768. A single 0: from the other number, at 4:3 */
+  int width, height;     /* size of a picture in pixels. If both numbers are 0: 1024 by 768. If one number is 0, it is
+                          * computed from the other at 4:3 */
   vs_quality quality;
-  vs_development development; /* development of a .png */
+  vs_development development; /* tone mapping of a .png */
   bool layers;           /* whether an .exr also contains depth, normal, albedo, id, material and ambient occlusion */
-  const char *view;      /* name of a view of the model, or NULL; "*": all views, on a drawing's sheet */
-  bool has_camera;       /* whether the camera below replaces the model's and the view's */
+  const char *view;      /* name of a view of the model, or NULL; "*" selects all views, on the sheet of a drawing */
+  bool has_camera;       /* whether `camera` replaces the camera of the model and of the view */
   double camera[7];      /* eye (3 numbers), target (3 numbers), and focal length in mm for a 35 mm film */
-  bool has_sun;          /* whether the sun below replaces the model's */
-  double sun[2];         /* azimuth from north to east, and altitude, in degrees */
-  double tolerance;      /* greatest distance of a chord from its curve, in model units; 0: the model's tolerance, or
-                          * that of the rule for drawings */
+  bool has_sun;          /* whether `sun` replaces the model's sun */
+  double sun[2];         /* azimuth from north towards east, and altitude, in degrees */
+  double tolerance;      /* greatest distance between a curve and the chords that approximate it, in model units; 0: the
+                          * model's tolerance, or the tolerance that is the default for drawings */
   int segments;          /* number of facets in a full turn; 0: computed from the tolerance */
-  int least_segments;    /* least number of facets in a full turn, if it is computed from the tolerance; 0: 32 */
-  unsigned passes;       /* mask of optimisation passes; VS_PASSES_ALL by default */
-  bool count;            /* Whether the statistics count nodes, and commands with and without each pass. The passes then
-                          * run once more for each count */
+  int least_segments;    /* least number of facets in a full turn, when `segments` is 0; 0: 32 */
+  unsigned passes;       /* mask of the optimisation passes that run; VS_PASSES_ALL by default */
+  bool count;            /* Whether to count, for the statistics, nodes, and commands with and without each pass. The
+                          * passes then run once more for each count */
   bool strict;           /* whether it is an error, not a warning, if the format omits or changes part of the model */
-  bool change;           /* whether to write the result of vs_drawing_compare: added parts green, removed parts red */
-  bool up_y;             /* whether formats of models without an axis of their own get Y upwards, as games want it */
+  bool change;           /* whether to write the result of vs_drawing_compare instead of the drawing: added parts green,
+                          * removed parts red */
+  bool up_y;             /* whether Y instead of Z points upwards in formats whose upward axis is not fixed, as game
+                          * engines expect */
   bool last;             /* whether no other drawing or output follows, so that the interpreter caches nothing */
-  int crop[4];           /* part of a .png or .exr: left, top, width, height in pixels; all 0: the whole picture */
-  unsigned threads;      /* number of processors for POV-Ray; 0: all. It does not change the picture */
-  const char *look;      /* name of a look of vs_look_list, which replaces the model's; NULL: the model's own */
+  int crop[4];           /* part of a .png or .exr to write: left, top, width, height in pixels; all 0: the whole
+                          * picture */
+  unsigned threads;      /* number of processors that POV-Ray uses; 0: all. The number does not change the picture */
+  const char *look;      /* name of a look (style) from vs_look_list, which replaces the model's look; NULL: the model's
+                          * own look */
 } vs_output_options;
 VS_API vs_output_options vs_output_options_default(void);
 
 /* Writes the drawing to path. An existing file stays until the new file is complete and on disk. format: a name or
- * suffix; NULL: by the path's suffix. o NULL: the defaults. If the format has a worker, this starts it, passes its
- * progress to `progress`, and ends it when interrupted. */
+ * suffix; NULL: the suffix of the path determines the format. If o is NULL, uses the default options. If the format has
+ * a worker program, this function starts it, passes its progress to `progress`, and ends it when interrupted. */
 VS_API vs_outcome vs_write_drawing(vs_scheme *s, const char *path, const char *format, const vs_output_options *o);
-/* Writes the drawing to a callback, in pieces. If the callback returns false, the call ends with VS_OUTCOME_USAGE.
- * Fails for formats of several files. */
+/* Writes the drawing in pieces to a callback. If the callback returns false, this function returns VS_OUTCOME_USAGE.
+ * Fails for a format that writes several files. */
 VS_API vs_outcome vs_write_drawing_to(vs_scheme *s, const char *format, const vs_output_options *o,
                                       bool (*write)(void *context, const void *bytes, size_t count), void *context);
 
@@ -593,58 +633,62 @@ VS_API vs_outcome vs_write_drawing_to(vs_scheme *s, const char *format, const vs
  * written whole, or not at all. Paths always refer to the file system, even if the host reads programs from
  * elsewhere. */
 
-/* Develops a picture into a PNG. how NULL: the defaults of vs_output_options_default. *stops is the exposure used. */
+/* Applies tone mapping to the picture `from`, and writes the PNG `to`. If how is NULL, uses the defaults of
+ * vs_output_options_default. Sets *stops to the exposure used. */
 VS_API vs_outcome vs_picture_tone(vs_scheme *s, const char *from, const char *to, const vs_development *how,
     double *stops);
-/* Writes the luminance as a PNG in false colours, on a logarithmic scale with a legend. unit: the cd/m2 that the number
- * 1 means. *least and *most are the ends of the legend. */
+/* Writes the luminance as a PNG in false colours, on a logarithmic scale with a legend. unit: the luminance in cd/m2
+ * that the number 1 in the picture means. Sets *least and *most to the ends of the legend. */
 VS_API vs_outcome vs_picture_false_color(vs_scheme *s, const char *from, const char *to, double unit, double *least,
     double *most);
-/* Writes the illuminance of floors as a PNG in false colours, from a picture with the layers albedo and normal. unit:
- * as for vs_picture_false_color. The result is in lux. */
+/* Writes the illuminance of floors in lux as a PNG in false colours. The picture must contain the layers albedo and
+ * normal. unit: the luminance in cd/m2 that the number 1 in the picture means. */
 VS_API vs_outcome vs_picture_illuminance(vs_scheme *s, const char *from, const char *to, double unit, double *least,
     double *most);
 
 typedef struct {
   double color[3];       /* red, green and blue in linear light */
-  double depth;          /* depth from channel Z; NaN: the picture has no such channel */
+  double depth;          /* depth from channel Z; NaN if the picture has no such channel */
   bool has_normal;       /* whether the picture has the channels N.X, N.Y, N.Z */
   double normal[3];
-  long id;               /* number from channel id; 0: no object; negative: the picture has no such channel */
-  char place[512];       /* place in the program that made the object, such as "house.vs:12:3"; "": not known */
-  char material[128];    /* name of the material, or "#rrggbb" for a plain colour; "": none */
-  double openness;       /* openness from channel AO, from 0 in a crack to 1 on an open field; NaN: the picture has no
-                          * such channel */
-  double illuminance;    /* illuminance of a matt surface, in the picture's numbers; NaN: not known */
+  long id;               /* number of the object from channel id; 0: no object; negative: the picture has no such
+                          * channel */
+  char place[512];       /* place in the program that made the object, such as "house.vs:12:3"; "" if not known */
+  char material[128];    /* name of the material, or "#rrggbb" for a plain colour; "" if there is no material */
+  double openness;       /* ambient openness from channel AO, from 0 in a narrow gap to 1 on an open plane; NaN if the
+                          * picture has no such channel */
+  double illuminance;    /* illuminance if the surface is matt, in the picture's numbers; NaN if not known */
 } vs_picture_point;
-/* Reads a picture's data at a pixel. Columns and rows count from 0 at the upper left. */
+/* Sets *out to the picture's data at a pixel. Columns and rows count from 0 at the upper left. */
 VS_API vs_outcome vs_picture_pick(vs_scheme *s, const char *from, long column, long row, vs_picture_point *out);
 
 typedef struct {
   uint32_t columns, rows;
-  double most, mean, root_mean_square; /* differences of red, green and blue in linear light */
+  double most, mean, root_mean_square; /* greatest, mean and root mean square difference of red, green and blue in
+                                        * linear light */
   long column, row;      /* pixel of the largest difference */
-  double psnr;           /* peak signal-to-noise ratio in dB, for a peak of 1; infinite: equal pictures */
-  double ssim;           /* structural similarity of the developed pictures; 1: equal */
+  double psnr;           /* peak signal-to-noise ratio in dB, for a peak of 1; infinite if the pictures are equal */
+  double ssim;           /* structural similarity of the pictures after tone mapping; 1 if they are equal */
 } vs_picture_difference;
-/* Compares two pictures of equal size. to: path of a PNG of the differences in false colours; NULL: none. */
+/* Compares two pictures of equal size. to: path for a PNG of the differences in false colours; NULL: no PNG is
+ * written. */
 VS_API vs_outcome vs_picture_compare(vs_scheme *s, const char *a, const char *b, const char *to,
     vs_picture_difference *out);
-/* Removes noise, and writes another EXR with the same channels. *layers: true if the picture's albedo and normal
- * helped; false if only its colours did. */
+/* Removes noise from a picture, and writes the result as another EXR with the same channels. Sets *layers to true if
+ * the picture's albedo and normal were used, to false if only its colours were used. */
 VS_API vs_outcome vs_picture_denoise(vs_scheme *s, const char *from, const char *to, bool *layers);
-/* Joins tiles, all PNG or all EXR, row by row: the result has the bytes of the picture whose crops they are. */
+/* Joins tiles, all PNG or all EXR, row by row. If the tiles are crops of one picture, the result has the bytes of the
+ * uncropped picture. */
 VS_API vs_outcome vs_picture_join(vs_scheme *s, const char *const *tiles, size_t columns, size_t rows, const char *to);
 
 /* ---- the sun through a day ---- */
 
 typedef struct {
-  double latitude, longitude; /* in degrees, north and east positive */
+  double latitude, longitude; /* position on the earth in degrees, north and east positive */
   int year, month, day;
-  double from, to, step; /* in hours of mean local time, 0 to 24 */
+  double from, to, step; /* time span and time step, in hours of local mean time, 0 to 24 */
 } vs_sun_span;
-typedef struct { size_t pictures, faces, dark; /* numbers of pictures, of faces, and of steps with the sun below the
-                                                * horizon (dark) */ } vs_sun_summary;
+typedef struct { size_t pictures, faces, dark; /* dark: steps with the sun below the horizon */ } vs_sun_summary;
 /* Writes these files into the folder, and makes the folder if needed:
  *   hours.csv                        the hours of sun on each face of the drawing's solids
  *   hours-plan.png, hours-model.png  these hours in false colours, from above and by the camera
@@ -655,41 +699,41 @@ typedef struct { size_t pictures, faces, dark; /* numbers of pictures, of faces,
 VS_API vs_outcome vs_sun_study(vs_scheme *s, const vs_sun_span *span, const char *folder, const vs_output_options *o,
     vs_sun_summary *out);
 
-/* ---- formats of the host ----
- *
- * A format is a table of callbacks, one for each kind of object that the format can express. The library walks the
- * drawing as it does for its own formats: it computes sections and the like, and runs the passes. It simplifies an
- * object without a callback until its kind has one: curves become "line", all else becomes "polyface-mesh" in the end.
- * Therefore the table must have "polyface-mesh". Without "line", the library omits curves and warns. */
+/* A format is a table of callbacks, one for each kind of object that the format can express. As for its own formats,
+ * the library visits the objects of the drawing, computes sections and the like, and runs the passes. It replaces an
+ * object without a callback by simpler objects, in the end by "line" for curves and "polyface-mesh" for all other
+ * objects. The table must therefore contain "polyface-mesh". Without "line", the library omits curves and warns. */
 
-typedef struct vs_output vs_output; /* the file in progress; valid in callbacks only */
+typedef struct vs_output vs_output; /* the output that is being written; valid only in callbacks */
 
 typedef enum {
-  VS_THING_LEAF,  /* a primitive, or a profile with its sweep; received once */
-  VS_THING_ENTER, /* an operation ("unite", "intersect", "subtract", "transform" ...), before its children */
-  VS_THING_LEAVE  /* the end of an operation that began with VS_THING_ENTER, after its children */
+  VS_THING_LEAF,  /* a primitive, or a sweep with its profile; the callback receives it once */
+  VS_THING_ENTER, /* the beginning of an operation ("unite", "intersect", "subtract", "transform" ...); the children
+                   * follow */
+  VS_THING_LEAVE  /* the end of an operation, after its children */
 } vs_thing_phase;
 
 typedef struct {
-  const char *kind;      /* name that object-kind returns, such as "sphere" */
+  const char *kind;      /* kind of the thing: a name that object-kind returns, such as "sphere" */
   vs_thing_phase phase;
   size_t child_count;    /* at VS_THING_ENTER: number of things before VS_THING_LEAVE */
   /* Map from the thing's coordinates to the drawing's: a row for each of x, y and z, with the translation last. For an
    * operation: map from the coordinates of its children. */
   double place[3][4];
   bool painted;
-  double color[4];       /* sRGB and opacity, 0 to 1, if the thing is painted */
-  const char *material, *layer; /* names; "": none */
-  const char *file;      /* place in the program that made the thing; NULL: not known */
+  double color[4];       /* colour in sRGB and opacity, each 0 to 1, if the thing is painted */
+  const char *material, *layer; /* names of the thing's material and layer; "" if it has none */
+  const char *file;      /* name of the file in which the program makes the thing; NULL if not known */
   uint32_t line, column;
-  const void *thing;     /* the library's own data */
+  const void *thing;     /* the library's own data about the thing */
 } vs_thing;
 
 typedef enum {
   VS_KIND_WRITTEN,
-  VS_KIND_WHOLE,   /* at VS_THING_ENTER: the thing is written with all of its children, which the library then skips */
-  VS_KIND_SIMPLER, /* refused: the library must simplify this thing. The callback must have written nothing */
-  VS_KIND_FAILED   /* failed; vs_output_fail has given the reason */
+  VS_KIND_WHOLE,   /* at VS_THING_ENTER: the callback has written the thing with all of its children, which the library
+                    * then skips */
+  VS_KIND_SIMPLER, /* the callback has written nothing, and the library must replace the thing by simpler things */
+  VS_KIND_FAILED   /* the callback has failed, and has passed the reason to vs_output_fail */
 } vs_kind_status;
 
 typedef struct {
@@ -698,13 +742,13 @@ typedef struct {
 } vs_format_kind;
 
 typedef struct {
-  const char *name, *suffix, *doc; /* as in vs_format_info; doc may be NULL */
+  const char *name, *suffix, *doc; /* name, suffix and description, as in vs_format_info; doc may be NULL */
   bool binary;
   const vs_format_kind *kinds;
   size_t kind_count;
   bool (*begin)(void *context, vs_output *out); /* writes the file's beginning; returns false on failure; may be NULL */
   bool (*end)(void *context, vs_output *out);   /* writes the file's end; returns false on failure; may be NULL */
-  void *context;                   /* argument of each callback; it must live as long as the interpreter */
+  void *context;                   /* argument of each callback; must exist as long as the interpreter */
 } vs_format_own;
 
 /* Adds a format to this interpreter, for -o file.suffix and for its name. Of several formats with the same suffix, the
@@ -712,24 +756,24 @@ typedef struct {
  * not exist, if "polyface-mesh" is missing, or if memory is out. */
 VS_API bool vs_register_format(vs_scheme *s, const vs_format_own *format);
 
-/* For callbacks. Each function returns false if the output has failed; the callback then returns VS_KIND_FAILED or
- * false. */
+/* vs_output_write, vs_output_number and vs_output_fail are for callbacks. They return false if the output has failed;
+ * the callback then returns VS_KIND_FAILED or false. */
 VS_API bool vs_output_write(vs_output *out, const void *bytes, size_t count);
 VS_API bool vs_output_print(vs_output *out, const char *text);
-/* Writes x as the library's formats do: as the shortest text of at most 12 significant digits. */
+/* Writes x as the library's own formats do: as the shortest text of at most 12 significant digits. */
 VS_API bool vs_output_number(vs_output *out, double x);
-/* Reports a fault of the model at the thing's place; returns false. */
+/* Reports an error at the place of the current thing in the program. Returns false. */
 VS_API bool vs_output_fail(vs_output *out, const char *message);
 
-/* Reads the numbers of a thing's field: a number, flag (0 or 1), point (3 numbers), list of points or matrix. field:
- * the name in the tree dump (-o x.tree). Copies at most room numbers to out. Returns how many numbers the field has, or
- * 0 if there is no such field. */
+/* Reads a field of a thing: a number, flag (0 or 1), point (3 numbers), list of points or matrix. field: the field's
+ * name in the tree dump (-o x.tree). Copies at most `room` numbers to out. Returns how many numbers the field has, or 0
+ * if there is no such field. */
 VS_API size_t vs_thing_numbers(const vs_thing *t, const char *field, double *out, size_t room);
 VS_API const char *vs_thing_text(const vs_thing *t, const char *field); /* Returns the text of a thing's field, or NULL
-                                                                         * if it is not a field of text. */
-/* Makes triangles of the thing, or of an operation with all of its children. They are in the thing's own coordinates,
- * counter-clockwise from outside, at the output's tolerance. The arrays are valid until the next call. Returns false on
- * failure. */
+                                                                         * if the thing has no such field with text. */
+/* Computes a mesh of the thing, or of an operation with all of its children. The triangles are in the thing's own
+ * coordinates, counter-clockwise from outside, at the output's tolerance. The arrays are valid until the next call.
+ * Returns false on failure. */
 typedef struct {
   const double (*points)[3];
   size_t point_count;
@@ -740,52 +784,60 @@ VS_API bool vs_thing_triangles(vs_output *out, const vs_thing *t, vs_triangles *
 
 /* ---- meshes for hosts that draw ----
  *
- * vs_meshes_begin computes the drawing, with the scene's nodes, as triangles and curves. Then vs_mesh_next gives the
- * differences from the last round, one by one: removed meshes first, then new and moved ones. Equal shapes share a mesh
- * with several places. The library does not mesh again a shape that the host has. A round shape gets a new mesh if it
- * needs a finer one, as in a larger drawing. */
+ * vs_meshes_begin computes the drawing, with the scene's nodes, as triangles and curves. Then vs_mesh_next returns the
+ * differences from the last call of vs_meshes_begin, one by one: removed meshes first, then new and moved meshes. Equal
+ * shapes share a mesh, which has several places. The library does not compute the mesh of a shape again if the host has
+ * it. A round shape gets a new mesh if a smaller tolerance applies. */
 
 typedef enum {
   VS_MESH_REMOVED, /* the mesh was removed; only the id is set */
-  VS_MESH_CHANGED, /* the mesh moved; the id and all of its places are set */
+  VS_MESH_CHANGED, /* the mesh moved; only the id and the places are set */
   VS_MESH_ADDED
 } vs_mesh_change;
 
 typedef struct {
-  const char *material;  /* name of the material; "": none */
-  uint64_t material_id;  /* number that vs_material_handler's procedure returned for the name; 0: none */
-  bool painted;          /* whether the part has a material; if not, the values below are a matt grey */
-  double color[4];       /* sRGB and opacity, 0 to 1 */
+  const char *material;  /* name of the part's material; "" if it has none */
+  uint64_t material_id;  /* number that the material handler has returned for the name of the material; 0 if there is
+                          * none */
+  bool painted;          /* whether the part has a material or colour; if not, the values below are those of a matt
+                          * grey */
+  double color[4];       /* colour in sRGB and opacity, each 0 to 1 */
   double roughness, metallic, ior;
-  const char *layer;     /* name of the layer; "": none */
-  const char *file;      /* place in the program that made the part; NULL: not known */
+  const char *layer;     /* name of the part's layer; "" if it has none */
+  const char *file;      /* name of the file in which the program makes the part; NULL if not known */
   uint32_t line, column;
 } vs_mesh_part;
 
 typedef struct {
   vs_mesh_change change;
-  uint64_t id;           /* number of the mesh: equal for equal shapes of the same fineness and paint, in every run */
+  uint64_t id;           /* number of the mesh: in every run, equal for equal shapes with equal tolerance and
+                          * material */
   const double (*points)[3]; size_t point_count;
-  /* corners of the triangles, counter-clockwise from outside. No triangles: the points are those of a curve, in
-   * order. */
+  /* indices in `points` of the corners of each triangle, counter-clockwise from outside. If there are no triangles, the
+   * points are those of a curve, in order. */
   const uint32_t (*corners)[3]; size_t triangle_count;
-  /* A unit normal for each corner of each triangle: smooth on curved faces, sharp at creases. */
+  /* Unit normals, and for each corner of each triangle the index of its normal. Normals are smooth on curved faces, and
+   * differ at sharp edges. */
   const double (*normals)[3]; size_t normal_count; const uint32_t (*normal_corners)[3];
-  const uint32_t *part_of; /* index of each triangle's part; NULL: all triangles belong to part 0 */
+  const uint32_t *part_of; /* part_of[i]: index of the part that contains triangle i; if part_of is NULL, all triangles
+                            * belong to part 0 */
   const vs_mesh_part *parts; size_t part_count;
-  /* Maps from the mesh's coordinates to the drawing's: a row for each of x, y and z, with the translation last. */
+  /* Matrices of the mesh's places, which map the mesh's coordinates to the drawing's: a row for each of x, y and z,
+   * with the translation last. */
   const double (*places)[3][4]; size_t place_count;
 } vs_mesh_info;
 
-/* Begins a round. o NULL: the defaults. After a failure the host keeps its meshes. An empty drawing is a failure, as
- * for vs_write_drawing, but vs_mesh_next then gives the removed meshes. */
+/* Begins to pass the meshes of the current drawing. If o is NULL, uses the default options. After a failure, the host
+ * keeps its meshes. An empty drawing is a failure, as for vs_write_drawing, but vs_mesh_next then returns the removed
+ * meshes. */
 VS_API vs_outcome vs_meshes_begin(vs_scheme *s, const vs_output_options *o);
-/* Gives the next difference. Returns false if there are no more. The arrays are valid until the next call; a host that
- * needs them longer copies them. */
+/* Sets *out to the next mesh that differs. Returns false if there are no more. The arrays are valid until the next
+ * call; a host that needs them longer must copy them. */
 VS_API bool vs_mesh_next(vs_scheme *s, vs_mesh_info *out);
-VS_API void vs_meshes_forget(vs_scheme *s); /* Forgets the host's meshes, so that the next round gives all meshes. Also
-                                             * removes the material handler. */
-/* Sets a procedure that vs_mesh_next calls once for each material's name. It returns the host's number for the name. */
+VS_API void vs_meshes_forget(vs_scheme *s); /* Forgets the meshes that the host has, so that the next vs_meshes_begin
+                                             * passes all meshes. Also removes the material handler. */
+/* Sets a callback that vs_mesh_next calls once for the name of each material. The callback returns the number by which
+ * the host identifies the material. */
 VS_API void vs_material_handler(vs_scheme *s, uint64_t (*ask)(void *context, const char *name), void *context);
 
 /* ---- values that a host holds ----
@@ -806,17 +858,17 @@ typedef enum {
   VS_HANDLE_LIST, /* a proper list; a pair such as (1 . 2) is VS_HANDLE_OTHER */
   VS_HANDLE_POINT, VS_HANDLE_VECTOR, VS_HANDLE_MATRIX, VS_HANDLE_OBJECT, VS_HANDLE_NODE, VS_HANDLE_PROPERTY,
   VS_HANDLE_PROCEDURE, VS_HANDLE_OTHER,
-  VS_HANDLE_HOST /* made by vs_handle_host */
+  VS_HANDLE_HOST /* an object of the host, made by vs_handle_host */
 } vs_handle_kind;
 
-VS_API vs_handle vs_handle_retain(vs_scheme *s, vs_handle h); /* Retains the handle and returns it. */
+VS_API vs_handle vs_handle_retain(vs_scheme *s, vs_handle h); /* Retains the handle h and returns it. */
 VS_API void vs_handle_release(vs_scheme *s, vs_handle h);     /* Releases the handle; h may be 0. */
 
 VS_API vs_handle vs_handle_boolean(vs_scheme *s, bool b);
 VS_API vs_handle vs_handle_number(vs_scheme *s, double x);
 VS_API vs_handle vs_handle_integer(vs_scheme *s, int64_t n); /* Returns a handle to the exact integer n. */
-/* Returns the number that the text denotes in a program: "1/3", an integer of any size. 0: the text is not a number, or
- * memory is out. */
+/* Returns a handle to the number that the text denotes in a program, such as "1/3" or an integer of any size. Returns 0
+ * if the text is not a number, or memory is out. */
 VS_API vs_handle vs_handle_number_text(vs_scheme *s, const char *text);
 VS_API vs_handle vs_handle_text(vs_scheme *s, const char *text);
 /* Returns a handle to a text of `length` bytes, which may contain zero bytes. */
@@ -826,113 +878,129 @@ VS_API vs_handle vs_handle_point(vs_scheme *s, double x, double y, double z);
 VS_API vs_handle vs_handle_vector(vs_scheme *s, double x, double y, double z);
 VS_API vs_handle vs_handle_list(vs_scheme *s, const vs_handle *items, size_t count);
 
-/* Makes an opaque value from an object of the host. Programs pass it around and cannot inspect it. As the value of a
- * property it moves with the node. If release is not NULL, the interpreter owns the object: it calls release once no
- * value refers to the object, at the end of a later evaluation, in vs_restart or in vs_free. release must not call the
- * interpreter. If release is NULL, the host owns the object, which must live as long as the interpreter. */
+/* Makes an opaque value from an object of the host. Programs can pass the value on, but cannot inspect it. If release
+ * is not NULL, the interpreter owns the object. It calls release once no value refers to the object: at the end of a
+ * later evaluation, in vs_restart or in vs_free. release must not call the interpreter. If release is NULL, the host
+ * owns the object, which must exist as long as the interpreter. */
 VS_API vs_handle vs_handle_host(vs_scheme *s, void *object, void (*release)(void *context, void *object),
     void *context);
-VS_API void *vs_handle_get_host(vs_scheme *s, vs_handle h); /* Returns the host's object; NULL: no host's object. */
+VS_API void *vs_handle_get_host(vs_scheme *s, vs_handle h); /* Returns the object that was passed to vs_handle_host, or
+                                                             * NULL if h refers to another kind of value. */
 
 VS_API vs_handle_kind vs_handle_kind_of(vs_scheme *s, vs_handle h);
 VS_API bool vs_handle_get_boolean(vs_scheme *s, vs_handle h); /* Returns false for #f, true for every other value. */
-/* Reads the numbers of a number (1), point, vector (3) or matrix (16, row by row). Copies at most room numbers to out.
- * Returns how many numbers the value has, or 0 for any other value. */
+/* Reads a value that consists of numbers: a number (1), a point or vector (3), or a matrix (16, row by row). Copies at
+ * most `room` numbers to out. Returns how many numbers the value has, or 0 for any other value. */
 VS_API size_t vs_handle_get_numbers(vs_scheme *s, vs_handle h, double *out, size_t room);
-VS_API bool vs_handle_is_exact(vs_scheme *s, vs_handle h); /* an exact number: its text has all digits */
-/* Returns the text of a text or symbol, or a number as a program writes it; NULL for any other value. It is valid until
- * the next call of this function or of vs_handle_get_text_bytes. */
+VS_API bool vs_handle_is_exact(vs_scheme *s, vs_handle h); /* Returns true if the value is an exact number, whose text
+                                                            * contains all digits. */
+/* Returns the text of a string or symbol, or a number as a program writes it; NULL for any other value. The text is
+ * valid until the next call of this function or of vs_handle_get_text_bytes. */
 VS_API const char *vs_handle_get_text(vs_scheme *s, vs_handle h);
-VS_API const char *vs_handle_get_text_bytes(vs_scheme *s, vs_handle h, size_t *length); /* may contain zero bytes */
+VS_API const char *vs_handle_get_text_bytes(vs_scheme *s, vs_handle h, size_t *length); /* As vs_handle_get_text, for a
+                                                                                         * text that may contain zero
+                                                                                         * bytes; sets *length to its
+                                                                                         * length in bytes. */
 /* Returns the number of elements of a list, or 0 for any other value. */
 VS_API size_t vs_handle_count(vs_scheme *s, vs_handle list);
 VS_API vs_handle vs_handle_item(vs_scheme *s, vs_handle list, size_t index);
-VS_API bool vs_handle_same(vs_scheme *s, vs_handle a, vs_handle b); /* returns whether both refer to one value (eq?) */
+VS_API bool vs_handle_same(vs_scheme *s, vs_handle a, vs_handle b); /* Returns true if both handles refer to the same
+                                                                     * value (eq?). */
 
-/* vs_lookup returns the value of a name of the program or the language. vs_apply calls a procedure. After an error of
- * the program, reported to `diagnose`, there is no result. result may be NULL. */
+/* vs_lookup returns a handle to the value of a name of the program or the language. vs_apply calls a procedure. If the
+ * program fails, vs_apply passes the error to `diagnose` and sets no result. result may be NULL. */
 VS_API vs_handle vs_lookup(vs_scheme *s, const char *name);
 VS_API bool vs_define(vs_scheme *s, const char *name, vs_handle value);
 VS_API vs_outcome vs_apply(vs_scheme *s, vs_handle procedure, const vs_handle *arguments, size_t count,
     vs_handle *result);
 
 /* A procedure of the host. The interpreter releases the arguments after the call. *result is 0 at first, which means no
- * value. The procedure may set it to a handle, whose ownership it passes on. If it returns false, the program gets an
- * error with the text from vs_host_fail. context must live as long as the interpreter. name: for messages. */
+ * value. The procedure may set *result to a handle, which the interpreter then owns. If the procedure returns false,
+ * the program gets an error with the text from vs_host_fail. context must exist as long as the interpreter. name: the
+ * procedure's name in messages. */
 typedef bool vs_host_fn(void *context, vs_scheme *s, const vs_handle *arguments, size_t count, vs_handle *result);
 VS_API vs_handle vs_host_procedure(vs_scheme *s, const char *name, vs_host_fn *fn, void *context);
 VS_API void vs_host_fail(vs_scheme *s, const char *message);
 
 /* ---- the scene: nodes, as on the manual's page 'Scenes' ----
  *
- * Each function has the effect of the procedure of the language that its comment or name gives, with the same rules and
- * messages. */
+ * Each function does the same as a procedure of the language, whose name is in the comment or follows from the
+ * function's name. The rules and messages are equal, too. */
 
-VS_API vs_handle vs_scene_controller(vs_scheme *s); /* (node-controller); its properties are the events */
+VS_API vs_handle vs_scene_controller(vs_scheme *s); /* as (node-controller): returns the controller, whose properties
+                                                     * are the events of the scene */
 VS_API vs_handle vs_node_root(vs_scheme *s);
-/* (node-create type #:name name #:parent parent); type NULL: 'context; name NULL: none; parent 0: none */
+/* as (node-create type #:name name #:parent parent). If type is NULL, the type is 'context. A NULL name or a parent of
+ * 0 means that the node has none */
 VS_API vs_handle vs_node_create(vs_scheme *s, const char *type, const char *name, vs_handle parent);
-/* Returns the node with this name, or 0, without an error, if there is none. */
+/* Returns the node with this name. Returns 0, without an error, if there is no such node. */
 VS_API vs_handle vs_node_find(vs_scheme *s, const char *name);
 /* vs_node_parent, vs_node_children and vs_node_name run no code of the program, so a callback of a running program may
  * call them too. */
-VS_API vs_handle vs_node_parent(vs_scheme *s, vs_handle node); /* Returns the parent, or 0 if the node has none. */
+VS_API vs_handle vs_node_parent(vs_scheme *s, vs_handle node); /* Returns the node's parent, or 0 if the node has
+                                                                * none. */
 VS_API vs_handle vs_node_children(vs_scheme *s, vs_handle node); /* Returns a list of the node's children. */
-/* Returns the name, valid as for vs_handle_get_text, or NULL if the node has none. */
+/* Returns the node's name, or NULL if the node has none. The text is valid as long as that of vs_handle_get_text. */
 VS_API const char *vs_node_name(vs_scheme *s, vs_handle node);
 VS_API vs_outcome vs_node_add_child(vs_scheme *s, vs_handle parent, vs_handle child);
 VS_API vs_outcome vs_node_remove_child(vs_scheme *s, vs_handle parent, vs_handle child);
-/* Places a node. Each array has three numbers; the rotation is in degrees about X, Y and Z. NULL: unchanged. */
+/* Places a node. Each array has three numbers; the rotation is in degrees about X, Y and Z. If an array is NULL, that
+ * part of the placement stays unchanged. */
 VS_API vs_outcome vs_node_place(vs_scheme *s, vs_handle node, const double *translate, const double *degrees,
     const double *scale);
-/* Computes the matrix from the node's coordinates to those of the parent or of the world: row by row, for column
- * vectors. */
+/* Computes the matrix from the node's coordinates to those of its parent, or of the world if `world` is true. The
+ * matrix is stored row by row, for column vectors. */
 VS_API bool vs_node_matrix(vs_scheme *s, vs_handle node, bool world, double out[16]);
-/* drawing: an object, or a list of objects */
+/* Sets the node's own drawing. drawing: an object, or a list of objects. */
 VS_API vs_outcome vs_node_set_drawing(vs_scheme *s, vs_handle node, vs_handle drawing);
-VS_API vs_handle vs_node_object(vs_scheme *s, vs_handle node); /* Returns the node's whole visible drawing as an
-                                                                * object. */
+VS_API vs_handle vs_node_object(vs_scheme *s, vs_handle node); /* Returns an object that contains all visible drawings
+                                                                * of the node and the nodes below it. */
 
-/* Begin and end a focus. The focus is the node to whose drawing `draw` adds. vs_node_end cannot end the focus of the
- * root. */
+/* vs_node_begin and vs_node_end begin and end a focus. The focus is the node to whose drawing `draw` adds. vs_node_end
+ * cannot end the focus of the root. */
 VS_API vs_outcome vs_node_begin(vs_scheme *s, vs_handle node);
 VS_API vs_outcome vs_node_end(vs_scheme *s);
 VS_API vs_handle vs_node_focus(vs_scheme *s);
-/* Evaluates the text's expressions in the node's own program, with the focus on the node. *result is the last value. */
+/* Evaluates the text's expressions in the node's own program, with the focus on the node. Sets *result to the last
+ * expression's value. */
 VS_API vs_outcome vs_node_eval(vs_scheme *s, vs_handle node, const char *text, vs_handle *result);
 
 /* ---- properties of nodes, groups and the controller ---- */
 
-VS_API vs_handle vs_property_of(vs_scheme *s, vs_handle group, const char *name); /* Returns the property itself. */
+VS_API vs_handle vs_property_of(vs_scheme *s, vs_handle group, const char *name); /* Returns the property itself, not
+                                                                                   * its value. */
 VS_API vs_outcome vs_property_get(vs_scheme *s, vs_handle group, const char *name, vs_handle *value);
-/* Sets a property, and makes it if needed. A different value calls the subscribers before the function returns; an
- * equal value calls none. */
+/* Sets the value of a property, and creates the property if needed. If the value changes, calls the subscribers before
+ * it returns; if it is equal, calls none. */
 VS_API vs_outcome vs_property_put(vs_scheme *s, vs_handle group, const char *name, vs_handle value);
-/* Adds a subscriber, which receives each new value. Returns the subscription's number, or 0 on failure. */
+/* Adds a callback, which receives each new value of the property. Returns the number of this subscription, or 0 on
+ * failure. */
 VS_API uint64_t vs_property_subscribe(vs_scheme *s, vs_handle property, vs_host_fn *fn, void *context);
 VS_API vs_outcome vs_property_unsubscribe(vs_scheme *s, vs_handle property, uint64_t id);
-/* Queues a change for the next vs_update. A callback may call this function while the interpreter runs. */
+/* Queues a new value for the property until the next vs_update. A callback may call this function while the interpreter
+ * runs. */
 VS_API bool vs_post(vs_scheme *s, vs_handle property, vs_handle value);
-/* Makes the queued changes, in order. A failed callback is reported, and the others still run. A change that is queued
- * during this waits for the next vs_update. */
+/* Makes the changes that vs_post has queued, in order. If a callback fails, reports its error and calls the remaining
+ * callbacks. A change that is queued during vs_update waits for the next vs_update. */
 VS_API vs_outcome vs_update(vs_scheme *s);
 
 /* ---- actions and picks ---- */
 
-VS_API vs_outcome vs_action_apply(vs_scheme *s, const char *action, vs_handle node); /* (action-apply 'action node) */
-/* Applies the actions update, draw and finish to the whole tree. */
+VS_API vs_outcome vs_action_apply(vs_scheme *s, const char *action, vs_handle node); /* as (action-apply 'action
+                                                                                      * node) */
+/* Applies the actions update, draw and finish to the whole tree of nodes. */
 VS_API vs_outcome vs_scene_frame(vs_scheme *s, double seconds);
 
 typedef struct {
-  double distance;      /* distance from the ray's start, in model units */
+  double distance;      /* distance of the intersection from the ray's start, in model units */
   double point[3];
-  vs_handle node, path; /* node: the node that the ray hits. path: list of nodes down to it. Valid in the callback,
-                         * unless retained */
-  const char *file;     /* place in the program that made the object; NULL: not known */
+  vs_handle node, path; /* node: the node that the ray intersects. path: list of the nodes from the root to it. Both
+                         * handles are valid only in the callback, unless retained */
+  const char *file;     /* name of the file in which the program makes the object; NULL if not known */
   uint32_t line, column;
 } vs_hit;
-/* Passes each node whose own drawing the ray hits to `each`, nearest first, until `each` returns false. Selects the
- * nearest node, which triggers the event Node.selected. */
+/* Passes each node whose own drawing the ray intersects to `each`, nearest first, until `each` returns false. Selects
+ * the nearest node, which triggers the event Node.selected. */
 VS_API vs_outcome vs_pick(vs_scheme *s, const double from[3], const double direction[3], bool (*each)(void *context,
     vs_scheme *s, const vs_hit *hit),
                           void *context);
@@ -942,53 +1010,54 @@ VS_API vs_outcome vs_pick(vs_scheme *s, const double from[3], const double direc
 typedef enum { VS_GIZMO_TRIGGER, VS_GIZMO_SLIDER, VS_GIZMO_ARROW, VS_GIZMO_TRIPOD } vs_gizmo_kind;
 
 typedef struct {
-  vs_handle node;       /* node of the gizmo; valid in the callback, unless retained */
+  vs_handle node;       /* node of the gizmo; the handle is valid only in the callback, unless retained */
   vs_gizmo_kind kind;
-  double at[3];         /* position of value 0, or of a slider's least value; all positions are in world coordinates */
-  double size;          /* diameter of a handle; length of an arrow or a tripod */
-  size_t value_count;   /* number of values: 3 for a tripod, otherwise 1 */
-  double value[3];      /* values; for a trigger: number of its clicks */
-  double low[3], high[3]; /* range of the value; for a tripod: range of a single drag; for a trigger: 0 */
-  double step;          /* distance between two values of a slider; 0: any value */
-  size_t handle_count;  /* number of handles, 0 to 3 */
+  double at[3];         /* position of the gizmo for value 0, or for a slider's least value. All positions are in world
+                         * coordinates */
+  double size;          /* diameter of a handle, or length of an arrow or a tripod */
+  size_t value_count;   /* number of the gizmo's values: 3 for a tripod, otherwise 1 */
+  double value[3];      /* values of the gizmo; for a trigger, the number of clicks */
+  double low[3], high[3]; /* least and greatest value; for a tripod, those of a single drag; for a trigger, 0 */
+  double step;          /* distance between two allowed values of a slider; 0 if any value is allowed */
+  size_t handle_count;  /* number of points that the user can drag, 0 to 3 */
   double handles[3][3]; /* positions of the points that the user drags */
-  /* The move of each handle: for a slider, from its least value to its greatest; for a trigger, 0; otherwise for a
-   * value greater by 1. */
+  /* How far each handle moves. For a slider: when its value goes from the least to the greatest. For a trigger: 0.
+   * Otherwise: when the value grows by 1. */
   double axes[3][3];
 } vs_gizmo;
 /* Passes each gizmo below the root to `each`, parents before children, until `each` returns false. The gizmo's value is
- * its property "value". vs_property_put sets it, and refuses a value out of range or between two steps.
- * vs_property_subscribe reports its changes. */
+ * its property "value". vs_property_put sets the value, and refuses a value out of range or between two steps.
+ * vs_property_subscribe reports changes of the value. */
 VS_API vs_outcome vs_gizmos(vs_scheme *s, bool (*each)(void *context, vs_scheme *s, const vs_gizmo *gizmo),
                             void *context);
 
 typedef enum { VS_INPUT_PRESS, VS_INPUT_DRAG, VS_INPUT_RELEASE, VS_INPUT_MOVE, VS_INPUT_KEY } vs_input_kind;
 typedef enum { VS_BUTTON_LEFT, VS_BUTTON_MIDDLE, VS_BUTTON_RIGHT, VS_BUTTON_NONE } vs_input_button;
-/* Handles an event as (node-input ...) does: gizmos move within their constraints. An event of the mouse has the ray
- * under it. An event of a key has the key's name and no ray. *node is the node that received the event, 0 for none;
- * node may be NULL. */
+/* Handles an event as (node-input ...) does: gizmos move within their constraints. from, direction: the ray under the
+ * mouse, for a mouse event. An event of a key has the key's name and no ray. Sets *node to the node that received the
+ * event, or to 0 if none did; node may be NULL. */
 VS_API vs_outcome vs_input(vs_scheme *s, vs_input_kind kind, vs_input_button button, const double from[3],
                            const double direction[3], const char *key, vs_handle *node);
 
 /* ---- statistics ---- */
 
 typedef struct {
-  const char *key;   /* key, the same in all versions, such as "nodes.distinct" or "time.mesh" */
+  const char *key;   /* key, equal in all versions of the library, such as "nodes.distinct" or "time.mesh" */
   double value;
-  const char *unit;  /* unit: "s", "bytes", or "" for a count */
+  const char *unit;  /* unit of the value: "s", "bytes", or "" for a count */
 } vs_statistic;
-/* Gives the statistics since vs_new, in a fixed order. The manual's page on the command explains each key. A NaN means
- * that the value was not counted. Copies at most room statistics to out. Returns how many statistics there are. */
+/* Copies at most `room` statistics since vs_new to out, in a fixed order. Returns how many statistics there are. A
+ * value of NaN means that it was not counted. The manual's page on the command explains each key. */
 VS_API size_t vs_statistics(const vs_scheme *s, vs_statistic *out, size_t room);
 
 typedef struct {
-  const char *path;   /* path of the output; "" if it went to a callback */
-  const char *format; /* name of the format, as vs_format_info.name */
+  const char *path;   /* path of the output; "" if a callback received the output */
+  const char *format; /* name of the format, as in vs_format_info.name */
   bool done;          /* whether the output succeeded */
 } vs_output_info;
-/* Gives the statistics of a single output, of the latest 64, oldest first. The keys are those of vs_statistics that
- * apply to a single output. *count is the number of statistics, independent of room. Returns false if there is no such
- * index. */
+/* Copies at most `room` statistics of one output to out. Index 0 is the oldest of the latest 64 outputs. The keys are
+ * those of vs_statistics that apply to a single output. Sets *count to the number of statistics, independent of `room`.
+ * Returns false if there is no such index. */
 VS_API bool vs_output_statistics(const vs_scheme *s, size_t index, vs_output_info *info, vs_statistic *out, size_t room,
     size_t *count);
 

@@ -19,8 +19,8 @@ typedef struct { pthread_mutex_t lock; unsigned long turn; live_waiter slots[WAI
 void live_waiting_open(live_waiting *w);
 void live_waiting_close(live_waiting *w); /* frees the table; called after the last connection has ended */
 
-/* Returns an entry for a connection, which waits from now on. The entry is valid until live_waiter_end. Returns NULL if
- * no entry is free; the table then never shuts down the connection. The functions below accept NULL for c. */
+/* Returns an entry for a new connection, recorded as waiting. It is valid until live_waiter_end. Returns NULL if no
+ * entry is free; the table then never shuts down the connection. The functions below accept NULL for c. */
 live_waiter *live_waiter_begin(live_waiting *w, int socket);
 void live_waiter_end(live_waiting *w, live_waiter *c);   /* frees the entry c of a connection; must be called before the
                                                           * connection's socket is closed */

@@ -157,8 +157,8 @@ vs_outcome vs_picture_tone(vs_scheme *vm, const char *from, const char *to, cons
   return end(s, ok, &e);
 }
 
-/* Numbers to show as a picture in false colours. at: one number for each pixel; unit: the unit of the numbers; least,
- * most: receive the numbers at the two ends of the colour scale, or are NULL. */
+/* Numbers that a picture in false colours shows. at: one number for each pixel. unit: the unit of the numbers. least,
+ * most: receive the ends of the colour scale, or are NULL. */
 typedef struct { const float *at; const char *unit; double *least, *most; } quantity;
 
 /* Writes the numbers q->at as a picture in false colours on a logarithmic scale, with a legend. Sets *q->least and
