@@ -33,19 +33,19 @@ typedef struct live_follower {
   live_aside aside, exporter; /* aside: makes outputs with other values. exporter: exports the current model */
   live_text released;  /* text with a byte for each parameter that the options set: 1 after a window has set the same
                         * parameter */
-  bool coarse;         /* whether a slider is moving, so that round shapes are coarse, unless the options set a
+  bool coarse;         /* whether a slider is moving; round shapes are then coarse, unless the options set a
                         * tolerance */
   bool frames;         /* whether the scene changes with time, so that the session computes frames */
   double last_frame;   /* time of the last frame in seconds */
   bool good;           /* whether the published scene is the result of the model's last run */
   const char *asked;   /* text typed at the prompt, while the result of that text is published; otherwise NULL */
   bool prompted;       /* whether the prompt has run code since the model's last run, so that the drawing may differ
-                        * from that of the model's text */
+                        * from the result of the model's text */
   live_said said;      /* messages of the current run */
   bool busy_told;
   bool trial;          /* whether the last run of the model used an unsaved text from a window */
   double began;
-  unsigned version, run; /* version: number of the latest scene; run: number of the latest run */
+  unsigned version, run; /* version: number of the latest published scene; run: number of the latest run */
   bool kept;           /* whether a client waits for the output that is being made. Only a saved file or the window's
                         * Stop button then ends the work. */
   bool moved;          /* whether frames or actions of the user have changed the scene since the model's last run */
@@ -397,7 +397,7 @@ static bool seen(live *l) {
 static void run_frame(live *l) {
   double seconds = now() - l->last_frame;
   l->last_frame = now();
-  if (!seen(l)) return; /* while no window is open, time does not advance, and there are no frames */
+  if (!seen(l)) return; /* while no window is open, the scene's time does not advance */
   l->began = l->last_frame;
   l->overtaken = false;
   tell_frame(l, vs_scene_frame(l->scheme, seconds < FRAME_MOST ? seconds : FRAME_MOST));
@@ -436,8 +436,8 @@ static unsigned pass_mask(const char *name) {
   return 0;
 }
 
-/* The format that shows how the model is constructed, step by step. It follows the program's text, so the passes that
- * rewrite operations are not used. */
+/* The format that shows step by step how the model is constructed. It follows the program's text, so the optimisation
+ * passes are not used. */
 static const char STEPS[] = "x3d-steps";
 
 /* Passes an export to the side `exporter`, so that a save of the file does not wait for the export. The side runs

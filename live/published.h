@@ -31,15 +31,17 @@ typedef enum {
 typedef struct live_wish {
   live_wish_kind kind;
   char *name, *value;
-  bool coarse;         /* SET: whether the window's slider is still moving, so that round shapes may be coarse */
-  char *given;         /* EXPORT: values of parameters for the side (aside.h), each as NAME LIVE_UNIT VALUE LIVE_RECORD;
-                        * otherwise NULL */
-  char *id;            /* EXPORT: name that the window has given the request, for events about its progress, or "";
-                        * otherwise NULL */
-  bool done;           /* EXPORT: whether the result is ready for the thread that waits for it */
+  bool coarse;         /* if kind is SET: whether the window's slider is still moving, so that round shapes may be
+                        * coarse */
+  char *given;         /* if kind is EXPORT: values of parameters for the side (aside.h), each as NAME LIVE_UNIT VALUE
+                        * LIVE_RECORD; otherwise NULL */
+  char *id;            /* if kind is EXPORT: name that the window has given the request, for events about its progress,
+                        * or ""; otherwise NULL */
+  bool done;           /* if kind is EXPORT: whether the result is ready for the thread that waits for it */
   live_text result;    /* result of the request; if it failed: the reason, in one line */
   vs_outcome outcome;
-  bool cancelled;      /* EXPORT by the side (aside.h): whether the window has cancelled it, so that it must end soon */
+  bool cancelled;      /* for an EXPORT that a side (aside.h) makes: whether the window has cancelled the request, so
+                        * that the work must end soon */
   bool abandoned;      /* whether no thread waits for the result any more, so that the thread that finishes the request
                         * frees it */
   struct live_wish *next;

@@ -24,7 +24,7 @@ typedef struct {
   double (*places)[3][4];
   bool made;               /* whether the host does not have this shape yet, so that its mesh must be made */
   vs_mesh mesh;            /* the mesh, whose arrays are allocated by the session */
-  vs_shading shading;      /* the normals, whose arrays are allocated by the session */
+  vs_shading shading;      /* the unit normals of the mesh, whose arrays are allocated by the session */
   vs_mesh_part *parts;
   size_t part_count;
 } shape;
@@ -47,10 +47,10 @@ struct vs_host_meshes {
                             * the current drawing */
   const char **layers;     /* names of the open layers, outermost first */
   size_t layer_count, layer_room;
-  size_t removed, told;    /* Where the next call of vs_mesh_next continues. removed: next index in `had`, to report
-                            * shapes that are gone; told: next index in `now` */
-  size_t last;             /* index + 1 of the shape passed to the host last, whose arrays it may use until the next
-                            * call */
+  size_t removed, told;    /* Where the next call of vs_mesh_next continues. removed: index in `had` of the next shape
+                            * to check for removal; told: index in `now` of the next shape to pass to the host */
+  size_t last;             /* 1 + index of the shape that the host received last and may use until the next call, or
+                            * 0 */
   bool open;               /* whether vs_mesh_next is passing the shapes of a drawing */
   uint64_t (*material)(void *context, const char *name);
   void *material_context;

@@ -194,7 +194,7 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
     count = callers(s, vs_as_condition(r[0])->chain, at, notes);
     printed = printed && vs_session_advise(s, r[0], at, &t);
     if (s->bind.bad_parameter) { /* the parameter's value came from outside the program, so the line that defines the
-                                  * parameter is not shown as wrong */
+                                  * parameter is not reported as the error's place */
       notes[0] = (vs_diagnostic_note){ at, "the parameter is defined here" };
       count = at.file != NULL;
       at = (vs_span){ 0 };

@@ -70,7 +70,7 @@ typedef struct {
   vs_bind bind;             /* must be the first member: vs_bind pointers are converted to vs_session */
   vs_options options;
   void *texts; size_t text_bytes; /* one block of memory with copies of all texts in the options */
-  size_t bytes;             /* bytes allocated for the heap and the model together */
+  size_t bytes;             /* number of bytes allocated for the interpreter's heap and the model together */
   vs_tally tally;           /* time and memory of each phase of work */
   bool limited;             /* whether the last refusal of memory was caused by the user's limit, not by the system */
   atomic_bool interrupted;
@@ -98,7 +98,7 @@ typedef struct {
   vs_scan_fit *fit;         /* the latest fit to a scan (fit/scan_fit.c), or NULL */
   vs_handles *handles;      /* handles of the host (handles.c), or NULL if it has none yet */
   vs_host_meshes *meshes;   /* meshes passed to the host (host_meshes.c), or NULL if there are none */
-  unsigned flags;           /* flags VS_EVAL_... with which the current evaluation was called */
+  unsigned flags;           /* flags VS_EVAL_... of the current evaluation */
   unsigned results;         /* number of names $1, $2 ... that the prompt has given to results */
   bool profiling;           /* whether the profiler takes samples of the running program */
   vs_call_profile *profile; /* samples of the profiler (profile/call_profile.c), or NULL */

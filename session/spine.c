@@ -115,7 +115,7 @@ void vs_session_size(const vs_output_options *o, vs_export_options *e) {
   if (!e->width) e->width = 1024, e->height = 768;
 }
 
-/* Computes the export options from those of the caller and the program, and from the session's limits. */
+/* Computes the options of the export from the caller's options, the program and the session's limits. */
 static void set_options(writing *j) {
   static const vs_render_quality qualities[] = {
     [VS_QUALITY_DRAFT] = VS_RENDER_DRAFT, [VS_QUALITY_GOOD] = VS_RENDER_GOOD, [VS_QUALITY_FINAL] = VS_RENDER_FINAL
@@ -353,8 +353,8 @@ static bool go_through(writing *j, vs_stage last) {
   return ok;
 }
 
-/* Reports the error that nothing is drawn. Lists the procedures that the program defines and never calls. Returns false
- * when memory is out. */
+/* Reports the error that the program draws nothing. Lists the procedures that the program defines and never calls.
+ * Returns false when memory is out. */
 static bool report_nothing(vs_session *s, const char *message) {
   vs_text why;
   vs_text_open(s->bind.vm, &why, 0);

@@ -19,7 +19,7 @@ enum { SLOTS = 8192, DEPTH = 200, MOST_CALLS = 1 << 20, TURNS = 1000 /* TURNS: n
                                                                       * between two samples */ };
 
 /* A node of the tree of calls. name: a symbol, or another value if the procedure has no name. caller: 1 + index of the
- * calling node, or 0. next: 1 + index of the next node with an equal hash, or 0. */
+ * calling node, or 0 at top level. The member next is 1 + index of the next node with an equal hash, or 0. */
 typedef struct { vs_value name; vs_pos place; uint32_t caller, next; double seconds, bytes; } call;
 
 /* Sums over all calls of a procedure. own: seconds in the procedure itself; whole: seconds with the procedures that it
