@@ -16,7 +16,8 @@ static bool keep(void *context, const void *bytes, size_t count) {
   return true;
 }
 
-/* Writes a line: the word, the numbers of the fields, and the place in the program that made the thing. */
+/* Writes a line of the format: a word for the object's kind, its numbers, and the place in the program that made the
+ * object. */
 static vs_kind_status line_of(vs_output *out, const vs_thing *t, const char *word, const char *const fields[]) {
   vs_output_print(out, word);
   for (; *fields; fields++) {
@@ -36,7 +37,14 @@ static vs_kind_status box(void *context, vs_output *out, const vs_thing *t) {
 static vs_kind_status sphere(void *context, vs_output *out, const vs_thing *t) {
   double segments;
   ((host *)context)->things++;
-  if (vs_thing_numbers(t, "segments", &segments, 1) != 1 || segments > 0) return VS_KIND_SIMPLER; /* fixed facets */
+  if (vs_thing_numbers(t, "segments", &segments, 1) != 1 || segments > 0) return VS_KIND_SIMPLER; /* accepts only shapes
+                                                                                                   * without a fixed
+                                                                                                   * number of facets;
+                                                                                                   * VS_KIND_SIMPLER
+                                                                                                   * makes the library
+                                                                                                   * convert other
+                                                                                                   * shapes to simpler
+                                                                                                   * kinds */
   return line_of(out, t, "ball", (const char *const[]){"c", "r", NULL});
 }
 static vs_kind_status line(void *context, vs_output *out, const vs_thing *t) {
@@ -104,7 +112,8 @@ int main(void) {
   format.kinds = wrong, format.kind_count = 2;
   CHECK(!vs_register_format(s, &format));
   format.kinds = kinds, format.kind_count = 3;
-  CHECK(!vs_register_format(s, &format)); /* the registration is refused because the format has no polyface-mesh */
+  CHECK(!vs_register_format(s, &format)); /* the library refuses to register a format that cannot write a
+                                           * polyface-mesh */
   format.kind_count = 6, format.suffix = "stl";
   CHECK(!vs_register_format(s, &format));
   format.kinds = &kinds[3], format.kind_count = 1, format.suffix = "only";

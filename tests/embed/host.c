@@ -46,8 +46,8 @@ static void check_told(void *context, const vs_checked *c) {
   snprintf(h->said, sizeof h->said, "%u: %s %s %s %s", (unsigned)c->at.line, c->form, c->expression, c->gives, c->expected);
 }
 
-/* Tests the program's checks. With VS_EVAL_CHECK_LATER they wait for the host, run one by one, and do not change the
- * drawing. Otherwise they warn. */
+/* Tests the checks that a program declares. With VS_EVAL_CHECK_LATER the library keeps the checks for the host, which
+ * runs them one by one; they do not change the drawing. Otherwise a failed check is a warning. */
 static void checks(void) {
   static host a;
   vs_options o = vs_options_default();
@@ -111,7 +111,7 @@ int main(void) {
   CHECK(strcmp(vs_version(), VS_VERSION) == 0);
   CHECK(run(s, "(define x 20) (display (+ x 1))", 0) == VS_OUTCOME_DONE);
   CHECK(strcmp(a.printed, "21") == 0);
-  CHECK(run(t, "x", 0) == VS_OUTCOME_MODEL); /* another interpreter does not have the definition */
+  CHECK(run(t, "x", 0) == VS_OUTCOME_MODEL); /* a second interpreter does not know the definition of x */
   CHECK(b.at.line == 1 && b.at.column == 1 && b.at.file && strcmp(b.at.file, "text") == 0);
   CHECK(run(t, "(* 6 7) \"a\"", VS_EVAL_PRINT) == VS_OUTCOME_DONE && strcmp(b.printed, "42;\"a\";") == 0);
   CHECK(run(s, "(define (f) (f)) 1 (car 5)", 0) == VS_OUTCOME_MODEL && strstr(a.said, "car"));

@@ -1,6 +1,7 @@
-/* Tests that a host can draw by meshes. Equal shapes share a mesh, and the library gives only the changes. Volumes and
- * normals are right. It asks for each material once, and a failure loses nothing. Uses the public header alone. With a
- * file's name as argument, it requests the meshes of that file's drawing instead, and prints the time. */
+/* Tests that a host can draw by meshes. Equal shapes share a mesh, and each round of meshes contains only the changes.
+ * Volumes and normals are right. The library asks the host for each material once, and a failure loses nothing. Uses
+ * the public header alone. With a file's name as argument, the program requests the meshes of that file's drawing
+ * instead, and prints the time. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -32,7 +33,8 @@ static void apply(const double m[3][4], const double p[3], double out[3]) {
   for (int i = 0; i < 3; i++) out[i] = m[i][0] * p[0] + m[i][1] * p[1] + m[i][2] * p[2] + m[i][3];
 }
 
-/* Returns the volume of the mesh at one of its places. A mirroring place reverses the order of the corners. */
+/* Returns the volume of the mesh after `place`, a matrix, is applied. If the matrix mirrors, it reverses the order of
+ * the corners. */
 static double volume(const vs_mesh_info *m, const double place[3][4]) {
   double sum = 0, v[3][3];
   for (size_t i = 0; i < m->triangle_count; i++) {
@@ -133,7 +135,8 @@ static void adapt(vs_scheme *s) {
   CHECK(triangles[0] > 4 * triangles[1] && triangles[1] > 100 && triangles[2] == triangles[0]);
 }
 
-static double seconds(void) { return (double)clock() / CLOCKS_PER_SEC; } /* returns processor time */
+static double seconds(void) { return (double)clock() / CLOCKS_PER_SEC; } /* returns the processor time of this
+                                                                          * process */
 
 static int measure(vs_scheme *s, const char *file, round_of *r) {
   double began = seconds();
@@ -161,7 +164,7 @@ int main(int count, char **words) {
     return code;
   }
   vs_mesh_info none;
-  CHECK(!vs_mesh_next(s, &none)); /* the host has not begun a round */
+  CHECK(!vs_mesh_next(s, &none)); /* vs_mesh_next fails before the host begins a round of meshes */
   CHECK(go(s, &r) == VS_OUTCOME_MODEL && strstr(r.said, "nothing is drawn"));
 
   /* a shape in three nodes is one mesh; the size of a box is part of its place */
@@ -177,7 +180,8 @@ int main(int count, char **words) {
   CHECK(go(s, &r) == VS_OUTCOME_DONE && r.added == 2 && r.changed == 0 && r.removed == 0 && r.places == 5 && r.sound);
   CHECK(fabs(r.volume - (3 * 7 + 6 + 1)) < 1e-9);
   CHECK(strstr(r.asked, "gold ") && strstr(r.asked, "steel ") && strlen(r.asked) == strlen("gold steel "));
-  CHECK(go(s, &r) == VS_OUTCOME_DONE && r.added + r.changed + r.removed == 0); /* nothing changed: the round is empty */
+  CHECK(go(s, &r) == VS_OUTCOME_DONE && r.added + r.changed + r.removed == 0); /* since nothing changed in the drawing,
+                                                                                * the next round contains no meshes */
 
   /* after a node moved, its mesh keeps its id and has another place; a new sphere of another material is a new mesh */
   CHECK(run(s, "(node-translate (node-find \"1\") (vxyz 0 0 7))") == VS_OUTCOME_DONE);
@@ -186,7 +190,8 @@ int main(int count, char **words) {
   CHECK(go(s, &r) == VS_OUTCOME_DONE && r.added == 1 && r.changed == 0 && r.removed == 0 && r.part.painted);
   CHECK(strcmp(r.part.material, "steel") == 0 && r.part.material_id && r.part.line == 1 && strcmp(r.part.file,
       "model") == 0);
-  CHECK(strlen(r.asked) == strlen("gold steel ")); /* the library does not ask again for a known name */
+  CHECK(strlen(r.asked) == strlen("gold steel ")); /* the library does not ask the host again for a material that it
+                                                    * knows */
   uint64_t steel = r.last;
 
   /* the round reports removed meshes; a mesh that is drawn again has its old id; the mesh of a curve has only points */
@@ -200,7 +205,8 @@ int main(int count, char **words) {
   CHECK(run(s, "(erase-all) (draw (make-sphere (xyz 0 0 0) 2))") == VS_OUTCOME_DONE);
   CHECK(go(s, &r) == VS_OUTCOME_DONE && r.sound && fabs(r.volume / (32 * acos(-1) / 3) - 1) < 0.01);
   CHECK(run(s, "(erase-all) (draw (load-mesh \"none.stl\"))") != VS_OUTCOME_DONE);
-  CHECK(go(s, &r) == VS_OUTCOME_MODEL && r.added == 0 && r.removed == 1); /* the drawing is empty now */
+  CHECK(go(s, &r) == VS_OUTCOME_MODEL && r.added == 0 && r.removed == 1); /* the failed program left an empty drawing,
+                                                                           * so the round removes its only mesh */
   vs_meshes_forget(s);
   CHECK(run(s, "(draw (make-sphere (xyz 0 0 0) 2))") == VS_OUTCOME_DONE && go(s, &r) == VS_OUTCOME_DONE &&
       r.added == 1);

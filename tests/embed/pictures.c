@@ -1,5 +1,5 @@
-/* Tests that a host can process pictures in linear light and study the sun. It uses the public header alone.
- * Without POV-Ray the test reports the parts that it skips. Argument: a folder for its files. */
+/* Tests that a host can process pictures in linear light and compute sun studies. It uses the public header alone.
+ * Without POV-Ray the test reports the parts that it skips. Argument: a folder for the test's files. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -62,7 +62,7 @@ int main(int argc, char **argv) {
   CHECK(vs_picture_denoise(s, in(folder, "a.exr"), in(folder, "b.exr"), &layers) == VS_OUTCOME_DONE && layers);
   CHECK(vs_picture_compare(s, in(folder, "a.exr"), in(folder, "b.exr"), NULL, &d) == VS_OUTCOME_DONE);
   CHECK(d.columns == 32 && d.rows == 24 && d.ssim > 0.9 && d.ssim <= 1);
-  /* four tiles of two columns, then tiles of different heights in one row */
+  /* joins four pictures into a sheet of two columns, then pictures of different heights in one row */
   const char *tiles[4];
   char names[4][512];
   for (int i = 0; i < 4; i++) {

@@ -1,5 +1,6 @@
-/* Tests that a host can hold a scene. It mirrors the tree by events, moves nodes, follows a property without a loop, is
- * called by the program, and picks objects. Every misuse gives an error. Uses the public header alone. */
+/* Tests that a host can hold a scene. The host mirrors the tree of nodes by events, moves nodes, receives changes of a
+ * property without causing an endless loop, is called by the program, and picks objects. Every misuse gives an error.
+ * Uses the public header alone. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -13,7 +14,7 @@ static int failures;
 static void diagnose(void *context, const vs_diagnostic *d) { snprintf(((host *)context)->said, 400, "%s", d->message); }
 static vs_outcome run(vs_scheme *s, const char *text) { return vs_eval_text(s, "model", 1, text, strlen(text), 0); }
 
-/* Receives an event of the tree: its argument is the node, whose name is added to the log. */
+/* Handles the event that a node was created. The event's argument is the node; its name is added to the log. */
 static bool created(void *context, vs_scheme *s, const vs_handle *arguments, size_t count, vs_handle *result) {
   (void)s, (void)result;
   strcat(((host *)context)->log, count == 1 && arguments[0] ? "create " : "? ");
@@ -58,8 +59,8 @@ static bool mirrored(void *context, vs_scheme *s, const vs_handle *arguments, si
   }
   return true;
 }
-/* Tests that every event of the tree may read names, parents and children, and that nothing else may run in an
- * event. */
+/* Tests that the handler of an event may read the names, parents and children of nodes, and that every other call fails
+ * there. */
 static void read_in_events(host *h) {
   vs_options o = vs_options_default();
   o.host = (vs_host){ .context = h, .diagnose = diagnose };
@@ -73,14 +74,14 @@ static void read_in_events(host *h) {
                "(node-addchild house roof) (node-addchild house plain) (node-addchild (node-getroot) house) (node-begin roof) (node-end)"
                "(node-removechild house roof) (node-removechildren house)") == VS_OUTCOME_DONE);
   CHECK(strcmp(h->log, "/house /roof /? /house/roof /house/? /root/house:roof,? /root/house/roof /root/house/roof /roof /root/house ") == 0);
-  /* makes the calls again outside of an event, and with a value that is not a node */
+  /* outside of an event, the same calls succeed for a node and fail for a value that is not a node */
   vs_handle house = vs_lookup(s, "house");
   *h->said = 0;
   CHECK(!vs_node_name(s, five) && *h->said && (*h->said = 0, !vs_node_parent(s, five)) && *h->said && (*h->said = 0, !vs_node_children(s, five)) && *h->said);
   CHECK(strcmp(vs_node_name(s, house), "house") == 0 && vs_handle_count(s, vs_node_children(s, house)) == 0);
   vs_free(s);
 }
-/* Receives the model's changed property: the slider follows at the next vs_update. */
+/* Handles a change of the model's property: moves the host's slider to the new value at the next vs_update. */
 static bool follow(void *context, vs_scheme *s, const vs_handle *arguments, size_t count, vs_handle *result) {
   host *h = context;
   (void)result;
@@ -126,20 +127,20 @@ static bool gizmo(void *context, vs_scheme *s, const vs_gizmo *g) {
   (void)context;
   last = *g, gizmos++;
   last.node = vs_handle_retain(s, g->node);
-  return strcmp(vs_node_name(s, g->node), "longer") != 0; /* false ends the enumeration, so no further gizmo is
-                                                           * passed */
+  return strcmp(vs_node_name(s, g->node), "longer") != 0; /* returns false at the gizmo "longer", which ends the
+                                                           * enumeration: no further gizmo is passed */
 }
 static bool named(void *context, vs_scheme *s, const vs_hit *hit) {
   char *file = context;
   vs_handle other = vs_handle_text(s, "another text");
-  vs_handle_get_text(s, other); /* this call must not change the values of the hit */
+  vs_handle_get_text(s, other); /* a later call that returns text must not change the texts of the ray's intersection */
   vs_handle_release(s, other);
   snprintf(file, 40, "%s:%u", hit->file, hit->line);
   return false;
 }
 
-/* Tests gizmos as data: their places and their permissions, values that the host sets, drags by rays, and the values
- * that they keep. */
+/* Tests the data of gizmos (handles that a user drags): their places and permissions, values that the host sets, drags
+ * by rays, and values that remain. */
 static void hold_gizmos(vs_scheme *s, host *h) {
   CHECK(vs_gizmos(s, gizmo, NULL) == VS_OUTCOME_DONE && gizmos == 0);
   CHECK(run(s, "(define rig (node-create #:parent (node-getroot) #:translate (vxyz 0 0 40)))"
@@ -157,7 +158,8 @@ static void hold_gizmos(vs_scheme *s, host *h) {
   vs_handle met;
   CHECK(vs_input(s, VS_INPUT_PRESS, VS_BUTTON_LEFT, (double[]){ 7, 0, 60 }, down, NULL, &met) == VS_OUTCOME_DONE && vs_handle_same(s, met, slider));
   CHECK(vs_input(s, VS_INPUT_DRAG, VS_BUTTON_LEFT, (double[]){ 8.6, 0, 60 }, down, NULL, NULL) == VS_OUTCOME_DONE);
-  CHECK(run(s, "(if (not (= width 18)) (car 5))") == VS_OUTCOME_DONE); /* 17.2 is rounded to steps of 2 */
+  CHECK(run(s, "(if (not (= width 18)) (car 5))") == VS_OUTCOME_DONE); /* the width of 17.2 is rounded to a multiple of
+                                                                        * 2, which gives 18 */
   CHECK(vs_input(s, VS_INPUT_RELEASE, VS_BUTTON_LEFT, (double[]){ 8.6, 0, 60 }, down, NULL, NULL) == VS_OUTCOME_DONE);
   CHECK(vs_apply(s, back, &kept, 1, NULL) == VS_OUTCOME_DONE && run(s, "(if (not (= width 14)) (car 5))") == VS_OUTCOME_DONE);
   CHECK(vs_input(s, VS_INPUT_MOVE, VS_BUTTON_NONE, NULL, NULL, NULL, &met) == VS_OUTCOME_DONE && met == 0);
@@ -181,7 +183,8 @@ static void hold_gizmos(vs_scheme *s, host *h) {
 }
 
 static char freed[60];
-static void free_own(void *context, void *object) { /* the interpreter is running, so it refuses the call */
+static void free_own(void *context, void *object) { /* the callback runs while the interpreter is running, so each call
+                                                     * to it is refused */
   if (context && vs_update(context) != VS_OUTCOME_USAGE) strcat(freed, "?");
   strcat(strcat(freed, object), " ");
 }
@@ -193,15 +196,17 @@ static void hold_own(vs_scheme *s, host *h) {
   CHECK(vs_handle_kind_of(s, owned) == VS_HANDLE_HOST && vs_handle_get_host(s, owned) == own && !vs_handle_get_host(s, five));
   CHECK(vs_property_put(s, node, "buffer", owned) == VS_OUTCOME_DONE && vs_property_put(s, node, "window", not_owned) == VS_OUTCOME_DONE);
   vs_handle_release(s, owned), vs_handle_release(s, not_owned);
-  CHECK(vs_handle_get_host(s, owned) == NULL && strstr(h->said, "was released")); /* the handle is released, and the
-                                                                                   * property owns the object */
+  CHECK(vs_handle_get_host(s, owned) == NULL && strstr(h->said, "was released")); /* the handle is invalid after its
+                                                                                   * release, while the property still
+                                                                                   * owns the object */
   CHECK(run(s, "(gc) (define kept (property-get (node-find \"owner\") 'buffer))") == VS_OUTCOME_DONE && !*freed);
   CHECK(vs_property_get(s, node, "window", &again) == VS_OUTCOME_DONE && vs_handle_get_host(s, again) == bare);
   CHECK(vs_property_put(s, node, "buffer", five) == VS_OUTCOME_DONE && vs_property_put(s, node, "window", five) == VS_OUTCOME_DONE);
   vs_handle_release(s, again);
-  CHECK(run(s, "(gc)") == VS_OUTCOME_DONE && !*freed); /* the program still refers to the host's object */
+  CHECK(run(s, "(gc)") == VS_OUTCOME_DONE && !*freed); /* the garbage collector does not free the host's object, since
+                                                        * the program still refers to it */
   CHECK(run(s, "(define kept #f) (gc)") == VS_OUTCOME_DONE && run(s, "(gc)") == VS_OUTCOME_DONE);
-  CHECK(strcmp(freed, "buffer ") == 0); /* the library freed only this object, once */
+  CHECK(strcmp(freed, "buffer ") == 0); /* the library freed only the object "buffer", once */
   CHECK(vs_property_put(s, node, "buffer", owned = vs_handle_host(s, other, free_own, s)) == VS_OUTCOME_DONE);
   vs_handle_release(s, node);
 }
@@ -239,7 +244,8 @@ int main(void) {
   CHECK(vs_pick(s, (double[]){ -5, 0, 0.5 }, (double[]){ 1, 0, 0 }, take, &h) == VS_OUTCOME_DONE);
   CHECK(h.hits == 3 && fabs(h.nearest - 4) < 1e-9 && strcmp(h.node, "a") == 0 && h.line == 1);
   CHECK(vs_pick(s, (double[]){ 10, 0, 9 }, (double[]){ 0, 0, -1 }, take, (h.hits = 0, &h)) == VS_OUTCOME_DONE && h.hits == 1);
-  CHECK(fabs(h.nearest - 8) < 1e-9 && strcmp(h.node, "b") == 0); /* the ray passes through the bore to its floor */
+  CHECK(fabs(h.nearest - 8) < 1e-9 && strcmp(h.node, "b") == 0); /* the ray passes through the bore of node b and hits
+                                                                  * the floor below it */
 
   /* a slider and a parameter of the model follow each other; each change causes a single update */
   vs_handle group = vs_node_find(s, "a"), eight = vs_handle_integer(s, 8);
@@ -255,13 +261,13 @@ int main(void) {
   }
   CHECK(vs_update(s) == VS_OUTCOME_DONE && h.updates == 1000);
 
-  /* the host's procedures, and the calls that they may not make */
+  /* the program calls procedures of the host; the host may not make certain calls while they run */
   vs_handle procedure = vs_host_procedure(s, "host-area", area, NULL), again = vs_host_procedure(s, "again", reenter, NULL);
   CHECK(vs_define(s, "host-area", procedure) && run(s, "(if (not (= (host-area 3 4) 12)) (car 5))") == VS_OUTCOME_DONE);
   CHECK(run(s, "(host-area 3)") == VS_OUTCOME_MODEL && strcmp(h.said, "host-area: two numbers are wanted") == 0);
   CHECK(vs_define(s, "again", again) && run(s, "(again)") == VS_OUTCOME_DONE && strstr(h.said, "the interpreter is running"));
 
-  /* node types of the host, and its viewer's procedures by name */
+  /* the host defines node types, and a program names procedures of the host's viewer */
   vs_handle fit = vs_host_procedure(s, "fit-out", fit_out, &h), kind = vs_handle_symbol(s, "lamp");
   vs_handle make = vs_lookup(s, "register-node-type");
   CHECK(vs_apply(s, make, (vs_handle[]){ kind, fit }, 2, NULL) == VS_OUTCOME_DONE);
@@ -283,7 +289,7 @@ int main(void) {
   CHECK(run(s, "(viewer-activate #f)") == VS_OUTCOME_DONE && vs_scene_frame(s, 0.1) == VS_OUTCOME_DONE);
   CHECK(strcmp(h.log, "show prepare draw finish hide ") == 0);
 
-  /* a program in the environment of a node */
+  /* evaluates a program in the environment of a node */
   vs_handle value = 0;
   double number = 0;
   CHECK(vs_node_eval(s, group, "(define height 7) (+ height 1)", &value) == VS_OUTCOME_DONE && vs_handle_get_numbers(s, value, &number, 1) == 1 && number == 8);

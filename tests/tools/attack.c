@@ -16,8 +16,8 @@
 #include <unistd.h>
 
 enum { LINE = 1 << 16, WORDS = 40, TRIES = 3, KILL_AFTER = 30 };
-#define MOST_ADDRESSES ((rlim_t)8 << 30) /* limit of address space in bytes, which protects the machine if a memory
-                                          * limit fails */
+#define MOST_ADDRESSES ((rlim_t)8 << 30) /* limit of a process's address space in bytes, which protects the machine if
+                                          * the memory limit of vs fails */
 #define SLACK_TIME 0.5
 #define SLACK_MEMORY 16.0 /* megabytes by which a process may exceed its memory limit, in addition to a tenth of this
                            * limit */
@@ -103,8 +103,8 @@ static result run(const char *vs, const attack *a, const char *program, const ch
   return r;
 }
 
-/* Returns true if the run kept its limits. An evaluation may use the time limit once; a program whose drawing is also
- * written may use twice the limit. */
+/* Returns true if the run kept its limits. An evaluation may last as long as the time limit; if the drawing is also
+ * written, the run may last twice as long. */
 static bool judge(const attack *a, const result *r, char *why, size_t room) {
   double most = a->time * (*a->out ? 2 : 1) + SLACK_TIME, large = a->memory * 1.1 + SLACK_MEMORY;
   *why = 0;

@@ -19,8 +19,8 @@ enum { BAD_MOST = 24, TEXT_MOST = 8000 };
 /* ---- good and bad arguments ---- */
 
 typedef struct {
-  const char *good[4];      /* good arguments: good[i] for the i-th argument with this contract in a call; the last
-                             * element for all later arguments */
+  const char *good[4];      /* good[i]: a good argument for the i-th parameter of a call that has this contract; the
+                             * last element serves for all later parameters */
   const char *bad[BAD_MOST];
 } samples;
 
@@ -73,7 +73,8 @@ static const samples contracts[] = {
   [VS_C_NUMERIC] = { { "1", "2" }, { "\"a\"", "'a", "'()", "#f", "ball" } },
 };
 
-/* Arguments beyond the largest length, or near it: no procedure may take their differences for 0. */
+/* Arguments as large as the largest permitted length, or nearly. No procedure may round their small differences to
+ * 0. */
 static const char *const far_away[sizeof contracts / sizeof *contracts][3] = {
   [VS_C_REAL] = { "1e308", "-1e200" },
   [VS_C_RADIUS] = { "1e308", "1e200" },
@@ -118,7 +119,7 @@ static const struct { const char *procedure, *parameter, *good; } special[] = {
   { "sun", "azimuth", NULL }, { "sun", "altitude", NULL }, { "sun", "latitude", NULL }, { "sun", "longitude", NULL }, { "sun", "date", NULL }, { "sun", "time", NULL },
 };
 
-/* Arguments that are bad for one form and good for another. */
+/* Arguments that are bad for one form of the procedure but good for another form. */
 static const struct { const char *procedure, *bad; } right[] = { { "make-cylinder", "5" }, { "make-cylinder", "(xyz 1 2 3)" } };
 
 static bool is_right(const char *procedure, const char *bad) {
@@ -142,7 +143,7 @@ static const char *first_definitions =
 
 typedef struct {
   char error[TEXT_MOST], warning[TEXT_MOST];
-  vs_span at; /* place of the error */
+  vs_span at; /* place of the error in the text */
 } said;
 
 static void hear(void *context, const vs_diagnostic *d) {
@@ -172,8 +173,8 @@ static void fresh(void) {
   }
 }
 
-/* Evaluates the text. Earlier definitions remain, and earlier drawn objects are erased. Each text has a line number of
- * its own, so that warnings which appear once per place all appear. */
+/* Evaluates the text. Earlier definitions remain; earlier drawn objects are erased. Each text gets its own line number,
+ * because vs prints a warning only once for each place. */
 static vs_outcome evaluate(const char *text) {
   heard = (said){ .at = { NULL, 0, 0, 0, 0 } };
   vs_drawing_clear(scheme);
@@ -272,7 +273,7 @@ static bool names_value(const char *value, const char *error) {
   }
   while (got[same] && got[same] == value[same]) same++;
   if (!value[same] || (same >= 12 && strncmp(got + same, "...", 3) == 0)) return true;
-  char one[300]; /* the list's element that the message names, without the advice that follows */
+  char one[300]; /* copy of the list's element that the message names, without the advice after it */
   snprintf(one, sizeof one, "%.*s", (int)strcspn(got, ";"), got);
   const char *element = value[0] == '(' ? strstr(value, one) : NULL;
   return element && (element[-1] == ' ' || element[-1] == '(') && strchr(" )", element[strlen(one)]);
@@ -308,7 +309,7 @@ static void try_parameter(const char *name, const vs_procedure *p, const vs_form
   }
 }
 
-/* A call with a huge argument fails, or makes something: it never gives the empty object. */
+/* Tries a call with a huge argument. The call must fail or make an object; it must not return the empty object. */
 static void try_far(const char *name, const vs_procedure *p, const vs_form *form, int at, int key) {
   const vs_bind_param *q = key >= 0 ? &p->key[key] : &form->at[at];
   const char *const *far = far_away[q->contract];
@@ -324,20 +325,21 @@ static void try_far(const char *name, const vs_procedure *p, const vs_form *form
 
 /* ---- lines of the table ---- */
 
-/* Tries a line of the table:
+/* Evaluates a line of the table and checks its expectation:
  *
- * EXPRESSION ; error: TEXT      an error at its place whose message contains TEXT
- *            ; empty: TEXT      the empty object, and a warning at its place that contains TEXT
- *            ; warning: TEXT    a value, and a warning that contains TEXT
- *            ; value: V         written as V, without a warning
- *            ; fine             a value without a warning, although the call looks bad
- *            ; define           something for the lines below
- * For a line without an expectation it prints the result. */
+ *   EXPRESSION ; error: TEXT    an error at the expression's place, whose message contains TEXT
+ *   EXPRESSION ; empty: TEXT    the empty object, and a warning at the expression's place that contains TEXT
+ *   EXPRESSION ; warning: TEXT  a value, and a warning that contains TEXT
+ *   EXPRESSION ; value: V       a value that is written as V, without a warning
+ *   EXPRESSION ; fine           a value without a warning, although the call looks bad
+ *   EXPRESSION ; define         a definition for the lines below
+ *
+ * For a line without an expectation the function prints the result. */
 static void try_line(char *text) {
   char *says = NULL, *next = text;
   static char wrapped[2 * TEXT_MOST + 200];
   while ((next = strstr(next, " ; ")) != NULL) says = next, next += 3;
-  if (!says) { /* prints the result for the author of the table */
+  if (!says) { /* prints the result, so that the author of the table can write the expectation */
     text[strcspn(text, "\n")] = 0;
     vs_outcome outcome = evaluate(text);
     if (outcome != VS_OUTCOME_DONE) printf("%s ; error: %s\n", text, heard.error);

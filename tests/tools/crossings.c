@@ -1,8 +1,8 @@
 /* Checks whether written meshes intersect themselves (written_mesh.h lists the formats).
  *
- * `crossings [-q] FILE...` prints a line for each mesh: its number of triangles, its volume, and the number of faults
- * of each kind (crossings.h) with the first fault of each kind. It also checks that each edge, identified by its
- * coordinates, occurs equally often in both directions. With -q it prints only meshes with faults. Exits with 1 if
+ * `crossings [-q] FILE...` prints a line for each mesh: its number of triangles, its volume, the number of faults of
+ * each kind (crossings.h), and the first fault of each kind. It also checks that each edge, identified by its
+ * coordinates, occurs equally often in its two directions. With -q it prints only meshes with faults. Exits with 1 if
  * there are faults, with 2 if it cannot read a file. */
 #include "written_mesh.h"
 

@@ -28,18 +28,19 @@ typedef struct {
 } crossings_found;
 
 typedef struct {
-  const crossings_point *at;    /* coordinates of the corners, each different point once */
+  const crossings_point *at;    /* coordinates of the mesh's corners; equal corners are stored once */
   crossings_triangle *triangles;
-  uint8_t *axis;                /* for each triangle: the axis along which its projection has an area; 3: there is
-                                 * none */
+  uint8_t *axis;                /* axis[t]: axis along which triangle t is projected to an area greater than 0; 3 if the
+                                 * triangle has no area */
   mpz_t x[12], t[8];
 } crossings;
 
 /* ---- exact signs ---- */
 
-static inline void crossings_exact(crossings *c, mpz_t *to, const double *from, int count) { /* multiplies all
-                                                                                              * numbers by the same
-                                                                                              * power of two */
+static inline void crossings_exact(crossings *c, mpz_t *to, const double *from, int count) { /* multiplies the `count`
+                                                                                              * numbers by one power of
+                                                                                              * two, so that all become
+                                                                                              * integers */
   int least = INT32_MAX, exponent;
   for (int i = 0; i < count; i++)
     if (from[i] != 0) {
@@ -66,10 +67,11 @@ static inline int crossings_side(crossings *c, uint32_t ia, uint32_t ib, uint32_
     det += (m - n) * e[2][k];
     size += (fabs(m) + fabs(n)) * fabs(e[2][k]);
   }
-  if (fabs(det) > 1e-14 * size && size > 1e-250) return det > 0 ? 1 : -1; /* the error is below Shewchuk's bound,
-                                                                           * 7.8e-16 of size */
-  if (size == 0) { /* if every product contains a factor 0, the sign is 0; otherwise a product was too small for a
-                    * double */
+  if (fabs(det) > 1e-14 * size && size > 1e-250) return det > 0 ? 1 : -1; /* rounding changes the determinant by at most
+                                                                           * 7.8e-16 * size (Shewchuk's bound), so its
+                                                                           * sign is right */
+  if (size == 0) { /* the determinant is exactly 0 if every product contains a factor 0; otherwise the products may be
+                    * too small for a double */
     bool small = false;
     for (int i = 0; i < 9; i++) small = small || (e[i / 3][i % 3] != 0 && fabs(e[i / 3][i % 3]) < 1e-100);
     if (!small) return 0;
@@ -88,7 +90,8 @@ static inline int crossings_side(crossings *c, uint32_t ia, uint32_t ib, uint32_
   return mpz_sgn(c->t[0]);
 }
 
-/* Returns the orientation of a b c, seen along an axis. */
+/* Returns the orientation of the triangle a b c, seen along an axis: 1 for counter-clockwise, -1 for clockwise, 0 for
+ * no area. */
 static inline int crossings_turn(crossings *c, int axis, uint32_t ia, uint32_t ib, uint32_t ic) {
   int u = (axis + 1) % 3, v = (axis + 2) % 3;
   const double *p[3] = { c->at[ia], c->at[ib], c->at[ic] };
@@ -113,16 +116,16 @@ static inline bool crossings_holds(crossings *c, uint32_t t, uint32_t p) { /* re
   return true;
 }
 
-/* Returns how the segment from p to q, which lies in the triangle's plane, intersects the triangle t. A single common
- * point is a touch; a longer common part is more. */
+/* Returns how the segment from p to q intersects the triangle t in whose plane it lies. A single common point is a
+ * touch; a longer common part is an overlap. */
 static inline crossings_kind crossings_in_plane(crossings *c, uint32_t t, uint32_t p, uint32_t q) {
   const uint32_t *v = c->triangles[t];
   int axis = c->axis[t], way = crossings_turn(c, axis, v[0], v[1], v[2]), left = 0, right = 0;
   for (int end = 0; end < 2; end++) {
     uint32_t from = end ? q : p, to = end ? p : q;
     if (!crossings_holds(c, t, from)) continue;
-    for (int i = 0; i < 3; i++) /* the segment begins outside this side of the triangle, and runs away from the
-                                 * triangle */
+    for (int i = 0; i < 3; i++) /* the segment begins on the outer side of an edge of the triangle, and does not
+                                 * approach that edge */
       if (crossings_turn(c, axis, v[i], v[(i + 1) % 3], from) == 0 &&
           crossings_turn(c, axis, v[i], v[(i + 1) % 3], to) == -way)
         return CROSSINGS_TOUCHING;
@@ -167,8 +170,8 @@ static inline crossings_kind crossings_worse(crossings_kind a, crossings_kind b)
 
 static inline crossings_kind crossings_pair(crossings *c, uint32_t a, uint32_t b) {
   const uint32_t *v = c->triangles[a], *w = c->triangles[b];
-  if (c->axis[a] == 3 || c->axis[b] == 3) return CROSSINGS_NONE; /* triangles without area are counted as flat, not
-                                                                  * here */
+  if (c->axis[a] == 3 || c->axis[b] == 3) return CROSSINGS_NONE; /* triangles without area are counted as flat by
+                                                                  * another function */
   int in_v[3], in_w[3], shared = 0; /* in_v, in_w: positions of the common corners in the triangles v and w */
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 3; j++)
@@ -186,8 +189,7 @@ static inline crossings_kind crossings_pair(crossings *c, uint32_t a, uint32_t b
   if (shared == 0 && above_v[0] && above_v[0] == above_v[1] && above_v[0] == above_v[2]) return CROSSINGS_NONE;
   for (int i = 0; i < 3; i++)
     if (shared < 1 || i != in_v[0]) above_w[i] = crossings_side(c, w[0], w[1], w[2], v[i]);
-  if (shared == 1) { /* with one common corner: if v and w have more points in common, these reach from the corner to
-                      * the opposite edge of v or w */
+  if (shared == 1) { /* with one common corner, any other common point implies one on the opposite edge of v or of w */
     int i = (in_v[0] + 1) % 3, j = (in_v[0] + 2) % 3, k = (in_w[0] + 1) % 3, l = (in_w[0] + 2) % 3;
     return crossings_worse(crossings_segment(c, b, v[i], v[j], above_w[i], above_w[j]), crossings_segment(c, a, w[k], w[l], above_v[k], above_v[l]));
   }
@@ -257,7 +259,7 @@ static inline uint32_t crossings_tree(const crossings *c, crossings_node *nodes,
     for (int k = 1; k < 3; k++)
       if (o->max[k] - o->min[k] > o->max[axis] - o->min[axis]) axis = k;
     crossings_halve(c, order + first, n, n / 2, axis);
-    /* Pushes the right half on the stack, to be divided later. */
+    /* Pushes the right half of the triangles on the stack, to be divided later. */
     stack[depth].first = first + n / 2, stack[depth].count = n - n / 2, stack[depth++].parent = me;
     stack[depth].first = first, stack[depth].count = n / 2, stack[depth++].parent = me;
   }

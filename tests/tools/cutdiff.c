@@ -1,6 +1,6 @@
-/* Compares a part of a picture with the whole picture (PNG or EXR): `cutdiff WHOLE PART X Y` compares each pixel of
- * PART with the pixel of WHOLE that is X to the right and Y further down. Prints the number of pixels that differ in
- * luminance, and the largest difference with its position in PART. Exits with 0 if none differs. */
+/* Compares a part of a picture with the whole picture (PNG or EXR): `cutdiff WHOLE PART X Y` compares pixel (x, y) of
+ * PART with pixel (x + X, y + Y) of WHOLE. Prints the number of pixels that differ in luminance, and the largest
+ * difference with its position in PART. Exits with 0 if none differs. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,10 +1,10 @@
-/* Makes small EXR pictures for tests: `exrmake WIDTH HEIGHT OUT.exr [plain|noisy|layers|grey|sun]`. The light grows
- * from left to right from 0.01 to 4, evenly in its logarithm.
+/* Makes small EXR pictures for tests: `exrmake WIDTH HEIGHT OUT.exr [plain|noisy|layers|grey|sun]`. From left to right
+ * the light increases exponentially from 0.01 to 4.
  *
- *   noisy   with noise of a tenth
- *   layers  with the layers albedo, normal, depth and id; the ids' places are a.vs:1:2 in the upper half, b.vs:30:4 in the lower
- *   grey    a single channel Y
- *   sun     a sky of 0.2, the north in the middle, with a disc of 1 degree at azimuth 250 and altitude 30, which lights a surface
+ *   noisy   adds noise of a tenth of the light
+ *   layers  adds the layers albedo, normal, depth and id; an id's place is a.vs:1:2 in the upper half, b.vs:30:4 in the lower half
+ *   grey    writes a single channel Y
+ *   sun     a sky of 0.2, with north in the middle of the picture; a disc of 1 degree at azimuth 250 and altitude 30 lights a surface
  *           that faces it with 3 */
 #include <math.h>
 #include <stdio.h>

@@ -1,9 +1,9 @@
-/* Measures the longest time between two polls for an interrupt: `gaps [-v] FILE FORMAT...` runs a program and writes
- * its drawing in each of the formats, discarding the bytes.
+/* Measures the longest time between two polls, in which vs checks for an interrupt: `gaps [-v] FILE FORMAT...` runs a
+ * program and writes its drawing in each of the formats, discarding the bytes.
  *
- * For each format it prints that time, as processor time of all threads, so that other load on the machine does not
- * count. -v also prints the program's call stacks in that time, a line of addresses for each hundredth of a second, for
- * addr2line -f -e gaps (link it with -no-pie). */
+ * For each format it prints this longest time, as processor time of all threads, so that other load on the machine does
+ * not count. -v also prints the program's call stacks in that time, a line of addresses for each hundredth of a second,
+ * for addr2line -f -e gaps (link it with -no-pie). */
 #define _GNU_SOURCE
 #include "visualscheme.h"
 
@@ -15,7 +15,8 @@
 #include <sys/time.h>
 #include <time.h>
 
-enum { DEEP = 12, SAMPLES = 200 }; /* number of samples; a sample is taken each hundredth of a second */
+enum { DEEP = 12, SAMPLES = 200 }; /* DEEP: stored addresses of a call stack. SAMPLES: stored call stacks; one is taken
+                                    * each hundredth of a second */
 static struct {
   double last, longest;
   void *frames[SAMPLES][DEEP], *longest_frames[SAMPLES][DEEP]; /* frames: call stacks since the last poll.
@@ -76,7 +77,7 @@ int main(int argc, char **argv) {
   vs_scheme *s = vs_new(&options);
   if (!s) return EXIT_FAILURE;
   void *warm[1];
-  backtrace(warm, 1); /* loads the library that backtrace needs, which must not happen in the signal handler */
+  backtrace(warm, 1); /* the first call of backtrace loads a library, which must not happen in the signal handler */
   if (where) {
     signal(SIGPROF, tick);
     setitimer(ITIMER_PROF, &(struct itimerval){ { 0, 10000 }, { 0, 10000 } }, NULL);

@@ -1,5 +1,5 @@
-/* Reads the output of `tests/cross/sheet.vs -D task=table`: the regular grid of shapes on a sheet, and the expected
- * figures of each cell. */
+/* Reads the output of `tests/cross/sheet.vs -D task=table`: a regular grid of shapes on a sheet, with the expected
+ * volume and area of the shape in each cell. */
 #ifndef TESTS_TOOLS_LATTICE_H
 #define TESTS_TOOLS_LATTICE_H
 
@@ -10,7 +10,7 @@ enum { CELLS_MOST = 2000 };
 typedef struct {
   long index;            /* number of the cell: its column + its row * number of columns */
   char name[120], class[16]; /* class of the object: solid, region, surface, curve or mixed */
-  double volume, area;   /* expected figures; NAN: not known */
+  double volume, area;   /* expected volume and area of the cell's shape; NAN if unknown */
   vec least, most;       /* least, most: corners of the bounding box that the program returns */
   double within, loose;  /* within: relative tolerance of the volume. loose: tolerance of a side of the bounding box, as
                           * a fraction of its diagonal */

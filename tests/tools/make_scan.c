@@ -1,12 +1,13 @@
-/* Makes scans for the tests of vs fit: points of a mesh as a scanner would record them, the same for the same
- * arguments.
+/* Makes scans for the tests of vs fit: points of a mesh as a scanner would record them. Equal arguments give equal
+ * points.
  *
  * `make_scan MESH.off POINTS NOISE MISSING TILT [FORM]` writes a PLY file to standard output: POINTS points spread
- * evenly over the mesh. The scan omits a sector about the upright axis through the middle of the box; MISSING is its
- * part of a full turn (0 to 1). Each point moves along every axis by a normal error with the standard deviation NOISE.
- * Then all points are rotated by TILT degrees about (0.6 0.8 0.3) and moved by (12 -7 3). FORM: ascii, little (binary,
- * the default), big, or damaged. damaged is little with a dent: a tenth of the box at its middle is pressed in by a
- * twentieth. */
+ * evenly over the mesh. The scan omits a sector around the vertical axis through the middle of the mesh's box; MISSING
+ * is the sector's fraction of a full turn (0 to 1). Each coordinate of a point gets a normally distributed error with
+ * the standard deviation NOISE. Then all points are rotated by TILT degrees about (0.6 0.8 0.3) and moved by (12 -7 3).
+ *
+ * FORM: ascii, little (binary, the default), big, or damaged. `damaged` is `little` with a dent: a tenth of the box at
+ * its middle is pressed in by a twentieth. */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
-/* Prints the names that a program can use when it begins, each on a line, as the prompt completes them. A test compares
- * them with the names that the manual's reference describes. */
+/* Prints the names that are defined when a program begins, one on a line, in the form in which the prompt completes
+ * them. A test compares them with the names that the manual's reference describes. */
 #include "visualscheme.h"
 
 #include <stdio.h>

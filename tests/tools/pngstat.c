@@ -1,9 +1,9 @@
 /* Prints figures of pictures for the tests. `pngstat FILE` prints `WIDTH HEIGHT COLOURS EDGES INK STEP CLIPPED`:
  *
- *   COLOURS  number of different colours, with 15 bits each
+ *   COLOURS  number of different colours, of 15 bits each
  *   EDGES    pixels in 1000 that clearly differ from their left neighbour; flat or smooth pictures have none
  *   INK      number of dark pixels; a partly covered pixel counts in part
- *   STEP     largest mean difference, of 255, between a row and the row above, as of a line across the picture
+ *   STEP     largest mean difference (0 to 255) between a row and the row above; a horizontal line in the picture makes it large
  *   CLIPPED  pixels in 1000 of which red, green or blue is 255
  *
  * `pngstat FILE OTHER` prints how many pixels in 1000 clearly differ between the two pictures. */
@@ -13,7 +13,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Returns the pixels, three bytes each, or NULL after printing the reason. */
+/* Returns the picture's pixels of three bytes, or NULL after printing the reason of a failure. */
 static unsigned char *load(const char *file, png_image *image) {
   *image = (png_image){.version = PNG_IMAGE_VERSION};
   unsigned char *pixels = NULL;

@@ -1,10 +1,10 @@
-/* Compares two meshes of one shape: `sheetdiff A.stl B.stl LIMIT` prints `volumes V W, apart D`. Exits
- * with 0 if the volumes differ by less than 0.2 % and the Hausdorff distance of the surfaces is at most LIMIT.
+/* Compares two meshes of one shape: `sheetdiff A.stl B.stl LIMIT` prints `volumes V W, apart D`. Exits with 0 if the
+ * volumes differ by less than 0.2 % and the Hausdorff distance of the surfaces is at most LIMIT.
  *
- * The distance from a triangle is a convex function of the point. Therefore a triangle whose corners are within LIMIT
- * of one triangle of the other mesh is within LIMIT as a whole. If there is no such triangle, the tool splits it into
- * four; it judges a triangle smaller than an eighth of LIMIT by its corners. D is the largest distance of a corner, an
- * edge's midpoint or a centroid. */
+ * The distance of a point from a triangle is a convex function of the point. Therefore a triangle of A lies within
+ * LIMIT of a triangle of B if its three corners do. If B has no such triangle, the tool splits A's triangle into four.
+ * It judges a triangle smaller than an eighth of LIMIT by its corners alone. B's triangles are judged likewise. D is
+ * the largest distance of a corner, an edge's midpoint or a centroid. */
 #include "stl.h"
 
 /* Returns the squared distance of p from a triangle. The nearest point is found by the region where p lies (Ericson,
@@ -63,8 +63,8 @@ static bool corner_near(const judge *j, vec p, size_t number) {
   return distance2(p, vec_of(v[0]), vec_of(v[1]), vec_of(v[2])) <= j->limit * j->limit;
 }
 
-/* Returns true if every point of the triangle t is within the limit of one of the listed triangles. The recursion ends
- * when t is small, after at most about fifteen levels. */
+/* Returns true if every point of the triangle t is within the limit of one of the listed triangles. If unsure, the
+ * function splits t and calls itself; at most about fifteen calls are nested. */
 static bool near_all(const judge *j, const vec *t, const uint32_t *listed, size_t count) {
   ball b = ball_of(t);
   uint32_t *left = malloc((count + 1) * sizeof *left);

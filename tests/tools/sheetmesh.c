@@ -37,7 +37,8 @@ static int judge(const cell *c, const triangle *at, size_t count) {
   return used != 0;
 }
 
-static const lattice *order_lattice; /* the grid of cells, for the comparison function of qsort */
+static const lattice *order_lattice; /* the grid of cells; a global variable, because the comparison function of qsort
+                                      * needs it */
 static int compare_cells(const void *a, const void *b) {
   const triangle *s = a, *t = b;
   vec p = vec_add(vec_add(vec_of(s->v[0]), vec_of(s->v[1])), vec_of(s->v[2])), q = vec_add(vec_add(vec_of(t->v[0]), vec_of(t->v[1])), vec_of(t->v[2]));

@@ -1,23 +1,25 @@
-/* Compares a picture of a sheet of shapes with the mesh of the same sheet, seen by the same camera: `sheetview TABLE
+/* Compares a picture of a sheet of shapes with the mesh of this sheet, seen by the same camera: `sheetview TABLE
  * FILE.stl SCENE PICTURE.png WHAT SHEET.png` judges each cell, in the words that tests/run.sh reads, and writes a
  * contact sheet.
  *
- * SCENE is the .pov or the page from which the picture was made; the tool reads the camera from it, as POV-Ray or a
- * browser does. The picture of a .pov has an alpha channel, that of a page is dark on white. A pixel belongs to a
- * silhouette if its centre does. In each cell, picture and mesh may differ in fewer than 1 % of the pixels of the
- * mesh's silhouette; a pixel whose centre is within a quarter of a pixel of the outline may belong to either. Curves
- * have almost no silhouette, so the mesh contains thin rods for them. No pixel on a rod may be further than two pixels
- * from the shape's pixels in the picture. No pixel of a shape in the picture may be further than two pixels from a rod,
- * plus the radius of the rods that POV-Ray draws for curves (half of 1/450 of the picture's width, or a pixel). In
- * SHEET.png, grey pixels belong to both, red pixels to the picture alone, blue pixels to the mesh alone. */
+ * SCENE is the .pov file or the page from which the picture was made; the tool reads the camera from it. The picture of
+ * a .pov has an alpha channel; the picture of a page is dark on white. In each cell, the silhouettes of picture and
+ * mesh may differ in fewer than 1 % of the pixels of the mesh's silhouette. A pixel whose centre is within a quarter of
+ * a pixel of the outline may belong to either silhouette.
+ *
+ * Curves have almost no silhouette, so the mesh contains thin rods for them. No pixel on a rod may be further than two
+ * pixels from the shape's pixels in the picture. Conversely, a pixel of the shape may be at most two pixels from a rod,
+ * plus the radius of POV-Ray's rods for curves (half of 1/450 of the picture's width, or a pixel). In SHEET.png, grey
+ * pixels belong to picture and mesh, red pixels to the picture alone, blue pixels to the mesh alone. */
 #include <png.h>
 
 #include "lattice.h"
 
 typedef struct {
   bool parallel;
-  vec eye, right, up, forward; /* right, up: axes of the picture, of length 1 / (half the picture's width), at distance
-                                * 1 for a perspective camera. forward: direction of view, of length 1 */
+  vec eye, right, up, forward; /* eye: position of the camera. right, up: the picture's axes, of length 1 / (half the
+                                * picture's width), measured at distance 1 for a perspective camera. forward: unit
+                                * vector in the direction of view */
   int width, height;
 } camera;
 
@@ -39,8 +41,8 @@ static bool camera_povray(const char *text, camera *c) {
   c->forward = unit(vec_sub(target, c->eye));
   vec across = unit(vec_cross(c->forward, sky));
   c->right = vec_scale(across, 2 / width);
-  c->up = vec_scale(vec_cross(across, c->forward), 2 / width); /* scaled by the width, so that the picture's height
-                                                                * covers height/width of it */
+  c->up = vec_scale(vec_cross(across, c->forward), 2 / width); /* scaled like the axis `right`, by the picture's
+                                                                * width */
   return true;
 }
 
@@ -59,7 +61,9 @@ static bool camera_x3d(const char *text, camera *c) {
       sscanf(view, "fieldOfView='%lf", &field) != 1)
     return false;
   c->eye = up_z(c->eye);
-  c->right = vec_scale(up_z(turned((vec){1, 0, 0}, axis, angle)), 1 / tan(field / 2)); /* the picture is square */
+  c->right = vec_scale(up_z(turned((vec){1, 0, 0}, axis, angle)), 1 / tan(field / 2)); /* the picture is square, so the
+                                                                                        * field of view determines its
+                                                                                        * width and height */
   c->up = vec_scale(up_z(turned((vec){0, 1, 0}, axis, angle)), 1 / tan(field / 2));
   c->forward = up_z(turned((vec){0, 0, -1}, axis, angle));
   return true;
@@ -152,11 +156,11 @@ int main(int argc, char **argv) {
   }
   for (size_t i = 0; i < pixels; i++) seen[i] = povray ? picture[4 * i + 3] > 25 : page_seen(picture, i, image.width, pixels);
   /* Sample points within a pixel: the centre, points halfway to the corners, and points near the corners. A pixel is on
-   * the mesh if all of them are, and off the mesh if none is. */
+   * the mesh if all sample points are, and off the mesh if none is. */
   static const double places[9][2] = {{0.5, 0.5}, {0.25, 0.25}, {0.75, 0.25}, {0.25, 0.75}, {0.75, 0.75}, {0.02, 0.02}, {0.98, 0.02}, {0.02, 0.98}, {0.98, 0.98}};
   for (size_t i = 0; i < mesh.count; i++)
     for (int k = 0; k < 9; k++) fill(&c, &mesh.at[i], places[k][0], places[k][1], (uint16_t)(1 << k), mask);
-  /* pixels through which the outline passes have some of their 9 bits set; for these, the picture's pixel decides */
+  /* a pixel on the outline has only a part of its 9 bits set; the mesh accepts the picture's value for this pixel */
   for (size_t i = 0; i < pixels; i++) touched[i] = mask[i] != 0, mask[i] = mask[i] == 0 ? 0 : mask[i] == 511 ? 1 : seen[i];
   int rod = povray ? (int)ceil(fmax(1, c.width / 900.)) : 0;
 

@@ -30,7 +30,7 @@ static inline float stl_number(const unsigned char *at) {
   return v;
 }
 
-/* Reads a file. Returns false and sets *why on failure; nothing is then left to free. */
+/* Reads an STL file. On failure returns false and sets *why; the caller then has nothing to free. */
 static inline bool stl_read(const char *path, stl *out, char why[128]) {
   FILE *f = fopen(path, "rb");
   unsigned char head[84], record[50];
@@ -110,8 +110,9 @@ static inline int stl_compare_edges(const void *a, const void *b) {
   return order ? order : stl_compare_vertices(&e->high, &f->high);
 }
 
-/* Counts the edges that occur more often in one direction than in the other (*open), and the edges of length 0
- * (*degenerate). Prints the first three open edges to `tell`. Returns false if memory is exhausted. */
+/* Counts the edges that occur more often in one direction than in the opposite direction (*open), and the edges of
+ * length 0 (*degenerate). Prints the first three open edges to the file `tell`. Returns false if memory is
+ * exhausted. */
 static inline bool stl_check(const triangle *at, size_t count, size_t *open, size_t *degenerate, FILE *tell) {
   stl_edge *edges = malloc((count * 3 + 1) * sizeof *edges);
   size_t used = 0;

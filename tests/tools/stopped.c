@@ -1,8 +1,10 @@
 /* Tests that a signal at a random moment loses no file: `stopped COUNT OLD NEW OUT VS ARGUMENT...` starts VS with its
- * arguments COUNT times, and sends it INT, TERM, HUP or KILL after a random part of the time that a run takes. After
- * each run OUT must equal the file OLD or the file NEW, and its folder must contain nothing else. Prints the number of
- * runs for each ending; exits with 1 if a file was lost. A KILL between the call that names the new file and the call
- * that replaces the old file leaves the complete new file beside it: this is rare, and counted separately. */
+ * arguments COUNT times. It sends each process INT, TERM, HUP or KILL after a random part of the time that a run takes.
+ * After each run the file OUT must equal the file OLD or the file NEW, and its folder must contain nothing else. Prints
+ * the number of runs for each ending; exits with 1 if a file was lost.
+ *
+ * A KILL between the call that names the new file and the call that replaces the old file leaves the complete new file
+ * beside OUT. This is rare, and counted separately. */
 #define _GNU_SOURCE
 #include <dirent.h>
 #include <errno.h>
@@ -37,7 +39,7 @@ static bool put(const char *path, const bytes *b) {
 
 static bool same(const bytes *a, const bytes *b) { return a->count == b->count && memcmp(a->at, b->at, a->count) == 0; }
 
-/* Deletes all other files in the folder of OUT. Returns the name of a deleted file, or NULL if there was none. */
+/* Deletes all files except OUT in its folder. Returns the name of a deleted file, or NULL if there was none. */
 static const char *left_beside(const char *out) {
   static char folder[4096], name[300];
   const char *slash = strrchr(out, '/');
@@ -90,8 +92,8 @@ int main(int argc, char **argv) {
     if (code == 0)
       finished++, takes += 0.1 * (now() - began - takes);
     else
-      takes *= 1.01; /* raises the estimate slightly after each run that was stopped, since runs take longer on a busy
-                      * machine */
+      takes *= 1.01; /* raises the estimated duration by 1 % after each run that was stopped, since runs take longer on
+                      * a busy machine */
     const char *beside = left_beside(argv[4]);
     const bool there = take(argv[4], &found), is_old = there && same(&found, &old),
                is_new = there && same(&found, &new);

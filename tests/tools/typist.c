@@ -87,8 +87,8 @@ int main(int argc, char **argv) {
     ioctl(own, TIOCSWINSZ, &size);
     dup2(own, 0), dup2(own, 1), dup2(own, 2);
     close(terminal);
-    signal(SIGINT, SIG_DFL); /* a test run in the background ignores SIGINT; without this line, the program would
-                              * inherit that */
+    signal(SIGINT, SIG_DFL); /* a process in the background inherits an ignored SIGINT; the program under test must
+                              * receive SIGINT */
     execvp(argv[1], argv + 1);
     _exit(127);
   }
@@ -101,7 +101,7 @@ int main(int argc, char **argv) {
     open_still = listen_to(terminal, patience, escapes);
   }
   if (open_still) listen_to(terminal, 500, escapes);
-  close(terminal); /* closing the terminal sends a hangup to a program that still waits */
+  close(terminal); /* closing the terminal sends a hangup to a program that still waits for input */
   int status = 0;
   waitpid(child, &status, 0);
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

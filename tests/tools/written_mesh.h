@@ -61,12 +61,13 @@ static inline bool read_stl(const char *path, written_mesh *out) {
   return ok;
 }
 
-/* Reads a PLY file. A corner has three doubles. A face has a byte 3, then three corner numbers; the header says how
- * many bytes follow. */
+/* Reads a binary PLY file. A vertex begins with three doubles. A face begins with the byte 3 and three vertex numbers.
+ * The header shows how many bytes of colour follow each vertex and face. */
 static inline bool read_ply(const char *path, written_mesh *out) {
   FILE *f = fopen(path, "rb");
   char line[200] = "";
-  size_t faces = 0, after = 0, colour = 0; /* after, colour: bytes of colour after a face, and after a vertex */
+  size_t faces = 0, after = 0, colour = 0; /* after, colour: number of colour bytes behind each face, and behind each
+                                            * vertex */
   bool ok = f != NULL, face = false, corner = false;
   while (ok && strcmp(line, "end_header\n") != 0) {
     ok = fgets(line, sizeof line, f) != NULL;
@@ -107,7 +108,8 @@ static inline bool written_primitive(const json_t *root, const json_t *primitive
   const json_t *corners =
       json_array_get(accessors, written_number(json_object_get(primitive, "attributes"), "POSITION"));
   const json_t *indices = json_array_get(accessors, written_number(primitive, "indices"));
-  if (json_object_get(primitive, "mode")) return true; /* a primitive with a mode consists of lines, so it is skipped */
+  if (json_object_get(primitive, "mode")) return true; /* a primitive with a "mode" consists of lines instead of
+                                                        * triangles, so it is skipped */
   size_t points = written_number(corners, "count"), count = written_number(indices, "count"),
          wide = written_number(indices, "componentType") == 5125 ? 4 : 2;
   size_t from = written_offset(root, corners), index_from = written_offset(root, indices), base = out->point_count;
@@ -182,7 +184,8 @@ static inline int written_compare_edges(const void *a, const void *b) {
   return order ? order : written_compare_places(x->high, y->high);
 }
 
-/* Returns the number of edges, compared by coordinates, that do not occur equally often in both directions. */
+/* Returns the number of edges that occur in their two directions unequally often. Edges with equal coordinates are one
+ * edge. */
 static inline size_t written_open_edges(const written_mesh *s) {
   written_edge *edges = malloc((3 * s->count + 1) * sizeof *edges);
   size_t used = 0, open = 0;
