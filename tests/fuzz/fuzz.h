@@ -1,5 +1,5 @@
-/* Contains the common part of the fuzzers: an interpreter of an untrusted model under limits, which is replaced after a
- * number of inputs. */
+/* Contains the common part of the fuzzers: an interpreter that runs an untrusted model under limits. A new interpreter
+ * replaces it after a number of inputs. */
 #ifndef VS_FUZZ_H
 #define VS_FUZZ_H
 
@@ -18,7 +18,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 typedef struct {
   const uint8_t *at;
   size_t size;
-} fuzz_file; /* contents of the only file: every path denotes it */
+} fuzz_file; /* contents of the only file of the simulated file system: every path denotes this file */
 
 static inline bool fuzz_drop(void *context, const char *text, size_t length) {
   return (void)context, (void)text, (void)length, true;
@@ -44,8 +44,8 @@ static inline bool fuzz_read(void *context, const char *path, char **text, size_
   return true;
 }
 
-/* The journal: a file with the inputs of an interpreter, which remains after a crash (FUZZ_JOURNAL=FILE). An earlier
- * input may have caused the crash. replay -j reads the file. */
+/* The journal: a file with all inputs of an interpreter, since an earlier input may have caused a crash.
+ * FUZZ_JOURNAL=FILE names the file, which remains after the crash. `replay -j` reads it. */
 typedef struct {
   uint8_t *at;
   size_t used;
@@ -95,7 +95,7 @@ static inline vs_scheme *fuzz_open(fuzz_file *file) {
 }
 
 /* Returns the interpreter for the next input. A new interpreter costs more than a small program, so each is used for
- * `turns` inputs. `begin` runs when an interpreter is made, and may be NULL. */
+ * `turns` inputs. `begin`, if not NULL, is called for each new interpreter. */
 static inline vs_scheme *fuzz_interpreter(fuzz_file *file, const uint8_t *data, size_t size, unsigned turns,
                                           const char *begin) {
   enum { LIVES = 100 };

@@ -15,7 +15,8 @@ typedef struct {
 static bool scene_called(void *context, vs_scheme *s, const vs_handle *arguments, size_t count, vs_handle *result) {
   fuzz_scene *f = context;
   unsigned turn = f->calls++ % 8;
-  if (turn == 1 && vs_update(s) != VS_OUTCOME_USAGE) abort(); /* a call while the interpreter runs must be refused */
+  if (turn == 1 && vs_update(s) != VS_OUTCOME_USAGE) abort(); /* vs_update must refuse this call, because the
+                                                               * interpreter is running */
   if (turn == 2 && vs_node_root(s)) abort();
   if (turn == 3 && count) vs_post(s, f->posted, arguments[0]);
   if (turn == 4) return vs_host_fail(s, "the host fails"), false;
@@ -32,7 +33,8 @@ static bool scene_gizmo(void *context, vs_scheme *s, const vs_gizmo *g) {
   if (g->handle_count > 3 || vs_handle_kind_of(s, g->node) != VS_HANDLE_NODE) abort();
   return true;
 }
-/* Frees a host object. The library calls it once for each object, while the interpreter runs or when it is freed. */
+/* Frees a host object. The library calls this function once for each object, while the interpreter runs or when the
+ * interpreter is freed. */
 static void scene_released(void *context, void *object) {
   (void)context;
   if ((*(unsigned *)object)-- != 1) abort();
@@ -49,7 +51,7 @@ static vs_handle scene_own(vs_scheme *s) {
 }
 static uint64_t scene_material(void *context, const char *name) { return (void)context, (uint64_t)strlen(name); }
 
-/* Reads all bytes of the meshes that the library gives. */
+/* Reads all bytes of the meshes that the library returns. */
 static void scene_meshes(vs_scheme *s) {
   vs_output_options coarse = vs_output_options_default();
   vs_mesh_info m;

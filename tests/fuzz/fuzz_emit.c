@@ -10,7 +10,7 @@ static void say(recipe *r, const char *text) {
   size_t n = strlen(text);
   if (r->used + n < ROOM) memcpy(r->text + r->used, text, n + 1), r->used += n;
 }
-static void number(recipe *r) { /* mostly numbers on a small grid, so that shapes overlap and touch */
+static void number(recipe *r) { /* chooses mostly numbers on a small grid, so that shapes overlap and touch */
   static const char *const odd[] = { "0", "1e-9", "-1e-9", "1e9", "1/3", "0.1", "1e300", "-0.0" };
   char text[40];
   unsigned k = next(r);

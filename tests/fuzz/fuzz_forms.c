@@ -4,8 +4,8 @@
 
 enum { ROOM = 1 << 14, DEPTH = 60 };
 
-/* The words. A word with an open parenthesis at its end begins a form. There are few names, so that inputs use the
- * names that they bind. */
+/* The words of which programs are made. A word that ends in an open parenthesis begins a form. There are few names, so
+ * that inputs use the names that they bind. */
 static const char *const words[] = {
   "(",
   "(",

@@ -14,8 +14,8 @@ static const char begin[] = "(define (stl) (load-mesh \"a.stl\")) (define (obj) 
 
 enum { TTF = 8, OTF = 13 };
 
-/* Returns a font file. A whole font is too large for an input, so each four bytes of the input change a byte of a table
- * of the system's font. Without the system's font, the input itself is the file. */
+/* Returns a font file. A whole font is too large for an input. Therefore each four bytes of the input change a byte in
+ * a table of the system's font. Without a system font, the input itself is the file. */
 static fuzz_file patched_font(const uint8_t *data, size_t size) {
   enum { MOST = 1 << 20 };
   static uint8_t whole[MOST], changed[MOST];
@@ -38,8 +38,8 @@ static fuzz_file patched_font(const uint8_t *data, size_t size) {
   return (fuzz_file){ changed, count };
 }
 
-/* Returns the interpreter for fonts. An interpreter keeps fonts by name until it is freed. Fonts therefore have their
- * own interpreter, each font gets a new name, and after FONTS fonts a new interpreter is made. */
+/* Returns the interpreter for fonts. An interpreter keeps each font that it has read until it is freed. Therefore each
+ * font gets a new name, and a new interpreter is made after FONTS fonts. */
 static vs_scheme *fonts_interpreter(fuzz_file *file, char text[static 100], const char *letters) {
   enum { FONTS = 40 };
   static vs_scheme *s;

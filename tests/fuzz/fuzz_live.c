@@ -39,7 +39,8 @@ static struct MHD_Daemon *start_daemon(unsigned flags, uint16_t port, MHD_Accept
   handler = handle, handler_context = context;
   va_list options;
   va_start(options, context);
-  for (int option; (option = va_arg(options, int)) != MHD_OPTION_END;) { /* the options of live/serve.c */
+  for (int option; (option = va_arg(options, int)) != MHD_OPTION_END;) { /* reads the options that live/serve.c passes
+                                                                          * to MHD_start_daemon */
     if (option == MHD_OPTION_URI_LOG_CALLBACK)
       begin_request = va_arg(options, void *(*)(void *, const char *, struct MHD_Connection *));
     else if (option == MHD_OPTION_EXTERNAL_LOGGER) va_arg(options, MHD_LogCallback);
@@ -56,7 +57,7 @@ static struct MHD_Daemon *start_daemon(unsigned flags, uint16_t port, MHD_Accept
   return (struct MHD_Daemon *)(void *)&handler;
 }
 static void stop_daemon(struct MHD_Daemon *d) { (void)d; }
-/* No connection waits, so there is no socket to close. */
+/* libmicrohttpd would return the socket of a waiting connection; here no connection waits, so no socket exists. */
 static const union MHD_ConnectionInfo *get_connection_info(struct MHD_Connection *c, enum MHD_ConnectionInfoType type,
                                                            ...) {
   (void)c, (void)type;
@@ -110,15 +111,15 @@ static void destroy(struct MHD_Response *r) {
 
 static void stop(void *context) { (void)context; }
 
-/* Ends the text at the first of these characters, and returns the text after it, or NULL if there is no such
- * character. */
+/* Ends the text at its first character that occurs in `ends`. Returns the text after that character, or NULL if there
+ * is none. */
 static char *cut(char *at, const char *ends) {
   char *end = at ? strpbrk(at, ends) : NULL;
   if (end) *end++ = 0;
   return end;
 }
 
-/* Returns true for the statuses of requests that the server refuses by their headers. */
+/* Returns true if the status says that the server refused the request because of its headers. */
 static bool refused(unsigned status) { return status == 400 || status == 403 || status == 413; }
 
 static void add_words(struct MHD_Connection *c, char *at, const char *ends, enum MHD_ValueKind kind) {
@@ -129,7 +130,7 @@ static void add_words(struct MHD_Connection *c, char *at, const char *ends, enum
   }
 }
 
-/* Takes the windows' requests from the queue, as the session and its side thread do. */
+/* Takes the requests of the browser's windows from the queue, as the session and its side thread do. */
 static void take_wishes(live_publish *p) {
   for (live_wish *w; (w = live_wish_take(p, &p->wishes, 0)) != NULL;) live_wish_free(w);
   for (live_wish *w; (w = live_wish_take(p, &p->asides, 0)) != NULL;) live_wish_free(w);
@@ -145,7 +146,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   if (!server.publish) {
     const int f = mkstemp(path);
     if (f < 0 || write(f, "(car 5)", 7) != 7 || close(f)) abort();
-    unlink(path); /* from here on, only a request can create this file */
+    unlink(path); /* deletes the file, so that only a request can create it from here on */
     server = (live_server){ .http = { .start_daemon = start_daemon,
                                       .stop_daemon = stop_daemon,
                                       .get_connection_info = get_connection_info,
@@ -160,7 +161,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
                             .model = path,
                             .stop = stop,
                             .options = &options };
-    live_access_hosts(&server.access, 8080); /* the port of the corpus; no socket listens */
+    live_access_hosts(&server.access, 8080); /* the requests of the corpus name port 8080; nothing listens on it */
     if (!live_access_word(server.access.token) || !live_publish_open(&publish) || !live_server_open(&server)) abort();
     enum { SCENE = 60000 };
     live_scene *scene = calloc(1, sizeof *scene);
@@ -171,7 +172,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
       abort();
     live_publish_scene(&publish, scene);
     live_publish_state(&publish, strdup("{\"good\":true}"));
-    publish.ended = true; /* no request waits */
+    publish.ended = true; /* ends the publication, so that no request waits for a change */
   }
   fuzz_note(data, size, true);
   for (size_t from = 0, to; from < size; from = to + 1) {
@@ -205,7 +206,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         (!host || (strcmp(host, server.access.hosts[0]) && strcmp(host, server.access.hosts[1]))))
       abort();
     if (c.status && !refused(c.status) && !page && (!token || strcmp(token, server.access.token)))
-      abort(); /* the server answered without the token */
+      abort(); /* the server must not answer a request without the token */
     struct {
       live_text body;
     } *r = state;

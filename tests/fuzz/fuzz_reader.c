@@ -1,5 +1,5 @@
-/* Fuzzes the reader: any bytes are source text. Of the inputs that can be read, a quarter is written as text and read
- * again; writing must then give the same text. */
+/* Fuzzes the reader: any bytes are source text. A quarter of the inputs that can be read are written as text, read
+ * again and written again; both written texts must be equal. */
 #include "tests/fuzz/fuzz.h"
 
 #include "vm/front/reader.h"
@@ -14,14 +14,13 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   static fuzz_file none;
   const char *text = (const char *)data;
   vs_scheme *s = fuzz_interpreter(&none, data, size, 2000, NULL);
-  s->steps = 0, s->fuel = 1 << 20; /* this work is not part of an evaluation, so the limits of an evaluation must not
-                                    * end it */
+  s->steps = 0, s->fuel = 1 << 20; /* this work is outside of any evaluation, so it gets a new budget of steps */
   vs_read_status status = vs_read_check(s, text, size);
   if (status.state == VS_READ_BAD && !status.message) abort();
   VS_ROOTS(s, r, 2);
   vs_text once, again;
   size_t used;
-  if (!vs_check_utf8(s, text, size, 0, 1)) return 0; /* the functions below accept only valid UTF-8 */
+  if (!vs_check_utf8(s, text, size, 0, 1)) return 0; /* the functions called below accept only valid UTF-8 */
   vs_read_all(s, &(vs_passage){ text, size, 1 }, 0, size % 2, &r[0]);
   if (!vs_read_datum(s, text, size, &r[0], &used)) return 0;
   if (used > size) abort();

@@ -1,5 +1,5 @@
-/* Fuzzes texts: numbers in every radix, which it writes and reads again; bytes as UTF-8; and ports that read them. The
- * first byte selects one of these. */
+/* Fuzzes texts: numbers in every radix, which it writes and reads again; bytes as UTF-8; and ports that read bytes. The
+ * first byte of an input selects one of these three tests. */
 #include <math.h>
 
 #include "tests/fuzz/fuzz.h"
@@ -74,7 +74,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     const char *program = readers[way % READERS];
     file = (fuzz_file){ data, size };
     vs_eval_text(s, "fuzz", 1, program, strlen(program), 0);
-    if (vs_exit_requested(s, &code) && code == 9) abort(); /* reading and writing changed the text */
+    if (vs_exit_requested(s, &code) && code == 9) abort(); /* the program exits with code 9 if writing and reading
+                                                            * changed a text */
     file = (fuzz_file){ NULL, 0 };
   }
   return 0;

@@ -1,11 +1,11 @@
 /* Fuzzes without libFuzzer: passes each named file to the fuzzer with which it is linked.
  *
- * `-n COUNT` then passes COUNT random changes of these files, which are the same in each run; `-s NUMBER` sets another
+ * `-n COUNT` then passes COUNT random changes of these files, which are equal in each run; `-s NUMBER` sets another
  * seed. tests/fuzz/corpus contains every input that once crashed. `-k FILE` writes each input to FILE first, so that
- * after a crash FILE contains its input. `-j FILE` passes the inputs of a journal (fuzz.h).
+ * after a crash FILE contains the input that caused it. `-j FILE` passes the inputs of a journal (fuzz.h).
  *
- * An input that takes more than SLOW seconds of processor time, or WAITS of elapsed time, ends the process. A limit of
- * elapsed time alone would refuse inputs that only waited for a busy machine. */
+ * An input that takes more than SLOW seconds of processor time, or WAITS seconds of elapsed time, ends the process.
+ * SLOW is the smaller limit, since an input may merely wait on a busy machine. */
 #include "tests/fuzz/fuzz.h"
 
 #include <sys/time.h>
@@ -15,14 +15,14 @@ typedef struct { uint8_t *at; size_t count; } input;
 
 static uint64_t state = 88172645463325252u;
 
-static uint64_t chance(uint64_t below) { /* the generator xorshift64* */
+static uint64_t chance(uint64_t below) { /* returns a random integer less than `below`, by the generator xorshift64* */
   state ^= state >> 12, state ^= state << 25, state ^= state >> 27;
   return below ? (state * 2685821657736338717u >> 16) % below : 0;
 }
 
 static void hand(const uint8_t *from, size_t count, const char *keep) {
-  uint8_t *exact = malloc(count ? count : 1); /* a block of exactly this size, so that a sanitizer finds reads past its
-                                               * end */
+  uint8_t *exact = malloc(count ? count : 1); /* a block of exactly the input's size, so that a sanitizer finds reads
+                                               * past its end */
   FILE *f = keep ? fopen(keep, "wb") : NULL;
   if (!exact) abort();
   memcpy(exact, from, count);
@@ -43,8 +43,8 @@ static bool journal(const char *path) {
   return fclose(f) == 0;
 }
 
-/* Makes a few random changes. A byte, a bit or a number is changed, or a stretch of this or another input is inserted,
- * deleted or written over. */
+/* Makes a few random changes to the input. Each changes a byte, a bit or a number, or inserts, deletes or overwrites a
+ * range of bytes, taken from this or another input. */
 static size_t change(uint8_t *to, size_t count, const input *all, size_t inputs) {
   static const uint8_t odd[] = { 0, 1, 127, 128, 255, 254, '(', ')', '"', '\\', '#', '\'', ' ', '\n', '0', '9', '-', '.', 'e' };
   for (uint64_t n = 1 + chance(6); n; n--) {
@@ -54,19 +54,19 @@ static size_t change(uint8_t *to, size_t count, const input *all, size_t inputs)
     case 0: if (at < count) to[at] = odd[chance(sizeof odd)]; break;
     case 1: if (at < count) to[at] ^= (uint8_t)(1 << chance(8)); break;
     case 2: if (at < count) to[at] = (uint8_t)chance(256); break;
-    case 3: /* inserts the stretch */
+    case 3: /* inserts the range of bytes */
       if (length > other->count - from) length = other->count - from;
       if (count + length > GROWTH) break;
       memmove(to + at + length, to + at, count - at);
       memcpy(to + at, other->at + from, length);
       count += length;
       break;
-    case 4: /* deletes the stretch */
+    case 4: /* deletes the range of bytes */
       if (length > count - at) length = count - at;
       memmove(to + at, to + at + length, count - at - length);
       count -= length;
       break;
-    default: /* writes over the stretch */
+    default: /* overwrites bytes of the input with the range */
       if (length > other->count - from) length = other->count - from;
       if (length > count - at) length = count - at;
       memcpy(to + at, other->at + from, length);

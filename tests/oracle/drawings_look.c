@@ -1,10 +1,11 @@
-/* Implements the meaning of a random drawing, independent of the form of its tree: see drawings.h.
+/* Computes the meaning of a random drawing, independent of the form of its tree: see drawings.h.
  *
- * A look is the tree with a separate copy for every path: sets and, below them, places. A place is a primitive with the
- * map, paint and wrapper that its path gives it. Two looks are compared place by place, and at points. A point belongs
- * to the first member of a union that contains it, to all members of an intersection, and to the minuend of a
- * difference. A point that is cut away belongs to the first cutter that contains it. The comparison detects every pass
- * that changes an order, a paint or a part's place. */
+ * A look is the tree with a separate copy for every path: sets and, below them, parts. A part is a primitive with the
+ * placement, paint and wrapper nodes of its path. Two looks are compared part by part, and at points.
+ *
+ * A point belongs to the first member of a union that contains it, to all members of an intersection, and to the
+ * minuend of a difference. A point that a difference removes belongs to the first subtrahend that contains it. The
+ * comparison detects every pass that changes an order, a paint or a part's placement. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,23 +18,29 @@ enum { PARTS_MOST = 1500, WINNERS = 6 };
 
 typedef struct {
   const vs_node *node;
-  vs_affine map;           /* map from the primitive's coordinates to the drawing's */
+  vs_affine map;           /* transformation from the primitive's coordinates to the drawing's coordinates */
   vs_affine back;
-  const vs_material *material; /* innermost material on the path; NULL: none */
+  const vs_material *material; /* innermost material on the path; NULL if the path has none */
   const char *layer;
-  uint64_t wrapper;          /* set of the native, custom, highlight, only and ghost nodes on the path */
+  uint64_t wrapper;          /* hash of the kinds of the native, custom, highlight, only and ghost nodes on the path, in
+                              * order */
   vs_bounds bounds;
-  size_t path, path_count; /* range in `paths` of the origins of the references to the primitive */
-  size_t shared;           /* index on the path of the first node with several users; path_count: there is none */
-  vs_inside *inside;       /* test whether a point is inside; NULL: the part contains no point */
+  size_t path, path_count; /* range in `paths` that contains the origins of the references from the root to the
+                            * primitive */
+  size_t shared;           /* index on the path of the first node with several users; path_count if there is no such
+                            * node */
+  vs_inside *inside;       /* function that tests whether a point is inside; NULL if the part contains no point */
   bool ghost;
   uint32_t coins;
 } part;
 
-typedef struct { const vs_node *node; size_t part; /* part: index of the part + 1; 0: a set */ size_t next; /* next: index
-                                                                                                       * of the entry
-                                                                                                       * after all
-                                                                                                       * descendants */ } entry;
+typedef struct { const vs_node *node; size_t part; /* part: 1 + index of the part, or 0 if the entry is a set */ size_t next; /* next:
+                                                                                                             * index of
+                                                                                                             * the entry
+                                                                                                             * after all
+                                                                                                             * descendants
+                                                                                                             * of this
+                                                                                                             * entry */ } entry;
 
 struct drawing_look {
   entry *entries;
@@ -42,12 +49,12 @@ struct drawing_look {
   size_t part_count, part_room;
   const vs_origin **paths;
   size_t path_count, path_room;
-  int trial;     /* -1: tests the geometry of parts; otherwise bit `trial` of a part's random bits decides whether it
-                  * contains a point */
+  int trial;     /* -1: points are tested by the geometry of parts. Otherwise bit `trial` of a part's random bits
+                  * decides whether the part contains a point */
   size_t *match; /* match[i]: index of the other look's part that equals part i (drawing_same_parts) */
 };
 
-/* ---- cached answers for nodes ---- */
+/* ---- cached inside-tests of nodes ---- */
 
 typedef struct { vs_node *node; vs_inside *inside; } asked;
 typedef struct { vs_node *node; vs_affine map; vs_bounds bounds; } bounded;
@@ -147,8 +154,8 @@ static bool look_at(looker *w, vs_ref ref, part here) { /* test trees are shallo
   if (n->kind == VS_MATERIAL) here.material = VS_AS(material, n)->material;
   if (n->kind == VS_LAYER) here.layer = VS_AS(layer, n)->name;
   bool through = n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER || vs_kind_get((vs_kind)n->kind)->level == VS_LEVEL_SUGAR;
-  if (vs_kind_get((vs_kind)n->kind)->level == VS_LEVEL_SUGAR) { /* wrappers count by kind; a native node is also a
-                                                                 * part */
+  if (vs_kind_get((vs_kind)n->kind)->level == VS_LEVEL_SUGAR) { /* adds the wrapper node's kind to the hash; a native
+                                                                 * node is also a part */
     here.wrapper = here.wrapper * 31 + n->kind + 1;
     here.ghost = here.ghost || n->kind == VS_GHOST;
     if (n->kind == VS_NATIVE) look_part(w, ref, &here);
@@ -213,10 +220,11 @@ vs_vec3 drawing_look_point(const drawing_look *l, double which, double x, double
   const part *at = l->part_count ? &l->parts[(size_t)(which * (double)l->part_count)] : NULL;
   if (!at || vs_bounds_is_empty(&at->bounds) || !isfinite(vs_bounds_diagonal(&at->bounds))) return p;
   vs_bounds both = at->bounds, *b = &both;
-  if (at + 1 < l->parts + l->part_count && x + y < z + 1) vs_bounds_meet(&both, &at[1].bounds); /* a point in the
-                                                                                                 * overlap of two parts
-                                                                                                 * is more likely to
-                                                                                                 * show faults */
+  if (at + 1 < l->parts + l->part_count && x + y < z + 1) vs_bounds_meet(&both, &at[1].bounds); /* mostly chooses a
+                                                                                                 * point in the overlap
+                                                                                                 * of this part and the
+                                                                                                 * next, where faults
+                                                                                                 * are more likely */
   if (vs_bounds_is_empty(&both)) both = at->bounds;
   return vs_v3(b->min.x + x * (b->max.x - b->min.x), b->min.y + y * (b->max.y - b->min.y), b->min.z + z * (b->max.z - b->min.z));
 }
@@ -225,16 +233,16 @@ vs_vec3 drawing_look_point(const drawing_look *l, double which, double x, double
 
 static const char *name_of(const part *p) { return vs_kind_get((vs_kind)p->node->kind)->name; }
 
-/* Returns true for a placed node whose bounds are the box of a box, or come from sample points. A pass that folds the
- * placement into the node makes such bounds tighter. */
+/* Returns true if the bounds of a placed node n are only approximate: computed from the corners of another bounding
+ * box, or from sample points. A pass that applies the placement to n itself makes such bounds tighter. */
 static bool bounds_are_loose(const vs_node *n) {
   return n->kind == VS_SPLINE || n->child_count > 0;
 }
 
 static bool near(vs_vec3 a, vs_vec3 b, double slack) { return fabs(a.x - b.x) <= slack && fabs(a.y - b.y) <= slack && fabs(a.z - b.z) <= slack; }
 
-static bool same_bounds(const part *a, const part *b) { /* Compares the bounds of two parts; b is the part after the
-                                                         * pass */
+static bool same_bounds(const part *a, const part *b) { /* Compares the bounds of the parts a, before the pass, and b,
+                                                         * after the pass */
   vs_bounds x = a->bounds, y = b->bounds;
   if (vs_bounds_is_empty(&x) || vs_bounds_is_empty(&y)) return vs_bounds_is_empty(&x) == vs_bounds_is_empty(&y);
   if (a->node->kind == VS_HALF_SPACE) { /* a half-space is compared by its plane */
@@ -254,8 +262,8 @@ static bool same_map(const vs_affine *a, const vs_affine *b) {
   return true;
 }
 
-/* Returns six times the volume within the faces: negative if they face inwards. Meshing reverses the faces of a
- * mirrored part. */
+/* Returns six times the volume that the part's faces enclose; negative if the faces point inwards. Meshing reverses the
+ * faces of a mirrored part. */
 static double facing(const part *p) {
   const struct vs_polyface_mesh *m = VS_AS(polyface_mesh, p->node);
   const uint32_t *starts = vs_faces_starts(m->faces), *corners = vs_faces_corners(m->faces);
@@ -274,7 +282,7 @@ static bool same_inside(const part *a, const part *b) {
   if (a->node == b->node && !memcmp(&a->map, &b->map, sizeof a->map)) return true;
   vs_bounds box = a->node->kind == VS_HALF_SPACE ? (vs_bounds){ { -4, -4, -4 }, { 4, 4, 4 } } : a->bounds;
   if (vs_bounds_is_empty(&box)) return true;
-  for (int i = 0; i < 7; i++) { /* points of Halton's sequence, which covers the box evenly */
+  for (int i = 0; i < 7; i++) { /* compares seven points of Halton's sequence, which covers the box evenly */
     double at[3], step = 1e-4 * vs_bounds_diagonal(&box);
     static const int bases[] = { 2, 3, 5 };
     for (int axis = 0; axis < 3; axis++) {
@@ -292,7 +300,7 @@ static bool same_inside(const part *a, const part *b) {
   return true;
 }
 
-/* Returns the name of the first difference, or NULL if there is none. */
+/* Returns the name of the first property in which the parts a and b differ, or NULL if they are equal. */
 static const char *difference_of(const part *a, const part *b) {
   if (a->node->kind != b->node->kind) return "kind";
   if (a->material != b->material) return "material";
@@ -300,7 +308,7 @@ static const char *difference_of(const part *a, const part *b) {
   if (a->wrapper != b->wrapper) return "wrapper";
   if (a->node->kind == VS_NATIVE) return VS_AS(native, a->node)->code == VS_AS(native, b->node)->code && same_map(&a->map, &b->map) ? NULL : "place of native text";
   const vs_kind_info *info = vs_kind_get((vs_kind)a->node->kind);
-  for (size_t i = 0; i < info->field_count; i++) { /* compares the fields that no map changes */
+  for (size_t i = 0; i < info->field_count; i++) { /* compares the fields that no transformation changes */
     const char *x = (const char *)vs_node_data(a->node) + info->fields[i].offset, *y = (const char *)vs_node_data(b->node) + info->fields[i].offset;
     vs_field_type type = info->fields[i].type;
     size_t size = type == VS_FIELD_integer ? sizeof(vs_field_integer) : type == VS_FIELD_boolean ? sizeof(vs_field_boolean) : type == VS_FIELD_text ? sizeof(vs_field_text) : 0;
@@ -311,12 +319,13 @@ static const char *difference_of(const part *a, const part *b) {
 
 static uint32_t line_at(const drawing_look *l, const part *p, size_t i) { return l->paths[p->path + i] ? l->paths[p->path + i]->line : 0; }
 
-/* Returns the fault in the origins of b, or NULL if there is none. b is the part of `after` that equals the part a of
- * `before`.
+/* Returns a description of the fault in the origins of b, or NULL if there is none. b is the part of `after` that
+ * equals the part a of `before`.
  *
- * The references on b's path, up to the first node with several users (a template), must have, in order, origins of a's
- * path. With `pruned` only the first of them must, because the use from which a template was made may be gone. The
- * primitive keeps its origin, unless it is in a template or the pass has made templates (`made`). */
+ * Consider the references on b's path, up to the first node with several users (a template). Their origins must occur,
+ * in order, on a's path. With `pruned` only the first must, because the pass may have removed the place from which a
+ * template was made. The primitive keeps its origin, unless it is in a template or the pass has made templates
+ * (`made`). */
 static const char *origin_trouble(const drawing_look *before, const part *a, const drawing_look *after, const part *b, bool made, bool pruned) {
   size_t last = b->path_count - 1, k = 0;
   for (size_t i = 0; i <= last; i++)
@@ -416,7 +425,8 @@ static verdict verdict_at(const drawing_look *l, size_t at, vs_vec3 p) {
   return v;
 }
 
-static verdict verdict_of(const drawing_look *l, vs_vec3 p) { /* a drawing is the union of its top-level entries */
+static verdict verdict_of(const drawing_look *l, vs_vec3 p) { /* a drawing is the union of its top-level entries, so the
+                                                               * first entry that contains p decides */
   verdict v = { 0 };
   for (size_t k = 0; k < l->entry_count; k = next_of(l, k)) {
     verdict x = verdict_at(l, k, p);
@@ -433,7 +443,7 @@ static bool verdicts_equal(const verdict *a, const drawing_look *before, const v
   return true;
 }
 
-/* Compares both looks as combinations of parts of any shape: a random bit decides whether a part contains a point. */
+/* Compares two looks as combinations of parts of any shape: a random bit decides whether a part contains a point. */
 bool drawing_same_sets(drawing_look *before, drawing_look *after, uint64_t seed, char *why, size_t room) {
   bool same = true;
   for (size_t i = 0; i < before->part_count; i++) {
@@ -457,7 +467,7 @@ bool drawing_same_at(drawing_look *before, drawing_look *after, vs_vec3 p, bool 
   *inside = a.in;
   *close = false;
   if (verdicts_equal(&a, before, &b, after->match)) return true;
-  for (int i = 0; i < 26; i++) { /* points of a cube around p */
+  for (int i = 0; i < 26; i++) { /* tests 26 points of a cube around p, to detect a surface close to p */
     int k = i < 13 ? i : i + 1;
     verdict there = verdict_of(before, vs_v3(p.x + (k % 3 - 1) * step, p.y + (k / 3 % 3 - 1) * step, p.z + (k / 9 - 1) * step));
     if (verdicts_equal(&a, before, &there, NULL)) continue;

@@ -12,10 +12,11 @@ typedef struct {
   vs_store *s;
   uint64_t state;
   uint32_t line;
-  vs_affine frame; /* frame in which leaves are written, with the coordinates that a program would compute */
-  bool turned;     /* whether the frame is more than a translation */
-  double nudge;    /* length that is added to each length, so that a part is nearly a copy of another part */
-  bool more;       /* whether round parts have an additional facet */
+  vs_affine frame; /* frame (coordinate system) in which leaves are written; their coordinates are rounded as a
+                    * program's would be */
+  bool turned;     /* whether the frame is more than a translation, for example a rotation */
+  double nudge;    /* added to each length, so that a part becomes nearly a copy of another part */
+  bool more;       /* whether round parts get an additional facet */
 } maker;
 
 static uint32_t any(maker *m, uint32_t n) { /* returns a random integer of 0 .. n-1 */
@@ -42,7 +43,7 @@ static void *sure(void *p) {
 }
 static const vs_origin *origin(maker *m) { return sure((void *)(uintptr_t)vs_store_origin(m->s, "random.vs", ++m->line, 1, NULL)); }
 
-/* Takes over the references to the children. */
+/* Makes a node of the kind. Takes over the caller's references to the children. */
 static vs_ref node(maker *m, vs_kind kind, const void *data, const vs_ref *kids, size_t count) {
   static const unsigned char nothing[256];
   vs_ref made = { sure(vs_node_new(m->s, kind, data ? data : nothing, kids, count)), origin(m) };
@@ -53,7 +54,7 @@ static vs_ref over(maker *m, vs_kind kind, const void *data, vs_ref kid) { retur
 static vs_ref again(maker *m, vs_ref r) { return (vs_ref){ vs_node_retain(r.node), origin(m) }; }
 static vs_ref placed(maker *m, vs_affine a, vs_ref kid) { return over(m, VS_TRANSFORM, &(struct vs_transform){ .matrix = a }, kid); }
 static vs_vec3 put(const maker *m, vs_vec3 p) { return vs_affine_point(&m->frame, p); }
-/* Places a node of a kind that is parallel to the axes. */
+/* Places a node whose kind is always parallel to the axes in the current frame. */
 static vs_ref framed(maker *m, vs_ref kid) { return m->turned ? placed(m, m->frame, kid) : kid; }
 static vs_vec3 still(const maker *m, vs_vec3 p) { return m->turned ? p : put(m, p); }
 
@@ -284,7 +285,8 @@ static vs_ref wrapped(maker *m, vs_ref kid) {
 
 static vs_ref half_space(maker *m) { return LEAF(half_space, HALF_SPACE, .point = vector(m), .normal = vs_v3(real(m), real(m), 2.25)); }
 
-static vs_ref solid_set(maker *m, vs_ref *kids, size_t n) { /* takes over the references to the children */
+static vs_ref solid_set(maker *m, vs_ref *kids, size_t n) { /* makes a set operation on the solids; takes over the
+                                                             * caller's references to them */
   static const vs_kind sets[] = { VS_UNION, VS_INTERSECTION, VS_DIFFERENCE, VS_UNION };
   vs_kind kind = sets[any(m, 4)];
   if (kind != VS_UNION && n > 1 && any(m, 8) == 0) {
@@ -294,13 +296,13 @@ static vs_ref solid_set(maker *m, vs_ref *kids, size_t n) { /* takes over the re
   return node(m, kind, NULL, kids, n);
 }
 
-/* Returns a group of leaves, written several times at computed places. */
+/* Returns a group of leaves: the same leaf is written several times, at computed places. */
 static vs_ref copies(maker *m) {
   vs_ref kids[4];
   size_t n = 2 + any(m, 3);
   bool turned = any(m, 2);
-  size_t odd = any(m, 5); /* index of the copy that differs from the others; no copy differs if the index exceeds their
-                           * number */
+  size_t odd = any(m, 5); /* index of the copy that differs from the others; no copy differs if there are not so many
+                           * copies */
   uint64_t same = m->state;
   for (size_t i = 0; i < n; i++) {
     vs_ref parts[5];
@@ -416,8 +418,8 @@ void drawing_print(const drawing *d, FILE *out) {
 
 static bool goes_in(const vs_node *n) { return vs_kind_get((vs_kind)n->kind)->level >= VS_LEVEL_OPERATION && n->kind != VS_HULL; }
 
-/* Returns n with `target` replaced by `with` everywhere. If with is NULL, removes child number `drop` of the target
- * instead. Returns a new reference. */
+/* Returns n with `target` replaced by `with` everywhere. If `with` is NULL, removes child number `drop` of `target`
+ * instead. The caller owns the result. */
 static vs_node *replaced(const vs_node *n, const vs_node *target, vs_node *with, uint32_t drop) {
   if (n == target && with) return vs_node_retain(with);
   if (!goes_in(n) && n != target) return vs_node_retain((vs_node *)(uintptr_t)n);

@@ -1,12 +1,12 @@
-/* Makes the random trees for the tests of the kernel: boxes, cylinders, cones, spheres and tori. They are nested,
- * rotated, flush with each other, and off the grid.
+/* Tests the kernel with random trees of boxes, cylinders, cones, spheres and tori. The solids are nested, rotated,
+ * flush with each other, or at arbitrary coordinates.
  *
  *   usage: fuzz [-v] [-s FIRST_SEED] [COUNT]; fuzz -p cell|turned|spelt SEED
  *
- * For two trees a and b of each seed, every result is closed, has winding number one, does not intersect itself
- * (tests/tools/crossings.h: as doubles, as 12 digits, as 32-bit numbers), and is the same for one thread and three. The
- * volumes satisfy |a u b| = |a| + |b| - |a n b|, |a - b| = |a| - |a n b|, a - (a - b) = a n b, a - a = 0, a u a = a,
- * and De Morgan's law inside a box around both. The volumes of trees of boxes are also counted cell by cell.
+ * Each seed makes two trees a and b. Every result must be closed, have winding number one, not intersect itself
+ * (tests/tools/crossings.h: as doubles, as 12 digits, as 32-bit numbers), and be equal for one thread and three. The
+ * volumes must satisfy |a u b| = |a| + |b| - |a n b|, |a - b| = |a| - |a n b|, a - (a - b) = a n b, a - a = 0, a u a =
+ * a, and De Morgan's law inside a box around a and b. The volumes of trees of boxes are also counted cell by cell.
  *
  * Prints the seeds that failed; the exit code is their number. -p prints the trees of one seed as a program in the
  * language, to be appended to bench/kernel/suite.vs. */
@@ -40,8 +40,9 @@ static void say(program *t, const char *format, ...) {
   t->count += n > 0 && (size_t)n < ROOM - t->count ? (size_t)n : 0;
 }
 
-/* The kinds of seed: boxes on cells; such boxes all rotated by the same angle; boxes rotated by equal angles that are
- * written differently; shapes with integer coordinates; shapes with any coordinates. */
+/* The kinds of seed. CELL: boxes on the cells of a grid. TURNED: such boxes, all rotated by one angle. SPELT: boxes
+ * rotated by equal angles that are written differently. WHOLE: shapes with integer coordinates. FREE: shapes with any
+ * coordinates. */
 typedef enum { CELL, TURNED, SPELT, WHOLE, FREE, KINDS } seed_kind;
 
 
@@ -113,10 +114,11 @@ static void add_tree(program *t, seed_kind k, int depth, cells *c) { /* adds a t
 }
 
 static bool verbose, failed;
-static uint64_t straightened, told_of; /* straightened: number of removed bends. told_of: number of results without
-                                        * bends that the kernel reported to intersect themselves, and made again */
-static uint64_t results, said; /* results: number of results. said: number of results that intersect themselves in the
-                                * numbers of a format, with a warning */
+static uint64_t straightened, told_of; /* straightened: number of results from which the kernel removed bends. told_of:
+                                        * number of these that the kernel reported to intersect themselves; it made them
+                                        * again with bends */
+static uint64_t results, said; /* results: number of results. said: number of results that intersect themselves after
+                                * rounding to the numbers of a format, for which the writer warns */
 static void complain(const char *what, const program *t, const char *detail) {
   failed = true;
   printf("  %s: %s\n    %s\n", what, detail, t->at);
@@ -127,7 +129,8 @@ static int edge_order(const void *a, const void *b) {
   return x[0] != y[0] ? (x[0] < y[0] ? -1 : 1) : x[1] < y[1] ? -1 : x[1] > y[1];
 }
 
-static bool manifold(const vs_mesh *m) { /* returns true if, by index, each directed edge occurs once */
+static bool manifold(const vs_mesh *m) { /* returns true if each directed edge, identified by the numbers of its
+                                          * vertices, occurs once */
   size_t n = 3 * m->triangle_count, twice = 0;
   uint32_t(*edges)[2] = malloc((n + 1) * sizeof *edges);
   if (!edges) return false;
@@ -138,9 +141,10 @@ static bool manifold(const vs_mesh *m) { /* returns true if, by index, each dire
   return twice == 0;
 }
 
-/* Checks the result for self-intersections. The search must report a result without bends that intersects itself; the
- * kernel makes it again with bends. A result with bends may not intersect itself in the numbers of any format, after
- * the rounding that writers use. Exception: the solid itself touches a face with a corner. */
+/* Checks the result for self-intersections. A result without bends may intersect itself only if the kernel's search
+ * reports it; the kernel then makes the result again with bends. A result with bends may not intersect itself in the
+ * numbers of any format, after the rounding that writers use. Exception: the solid itself touches a face with a
+ * corner. */
 static void look_at_crossings(const char *what, const program *t, const vs_mesh *whole, bool straight) {
   static const char *const as[] = { "doubles", "12 digits", "32 bits", "32 bits without indices" };
   char detail[300];
@@ -162,8 +166,9 @@ static void look_at_crossings(const char *what, const program *t, const vs_mesh 
         at[i][k] = numbers >= VS_NUMBERS_SINGLE ? (double)(float)x[k] : numbers == VS_NUMBERS_DIGITS ? strtod(text, NULL) : x[k];
       }
     }
-    for (size_t i = 0; fine && at && triangles && i < m->triangle_count; i++) { /* STL omits triangles that rounding
-                                                                                 * made into edges */
+    for (size_t i = 0; fine && at && triangles && i < m->triangle_count; i++) { /* skips triangles with two equal
+                                                                                 * corners after rounding, since the STL
+                                                                                 * writer omits them */
       const uint32_t *v = m->triangles[i];
       bool needle = false;
       for (int k = 0; k < 3; k++) needle = needle || memcmp(at[v[k]], at[v[(k + 1) % 3]], sizeof *at) == 0;
@@ -176,7 +181,7 @@ static void look_at_crossings(const char *what, const program *t, const vs_mesh 
     } else if (straight && settled.met) {
       told_of++;
     } else if (numbers != VS_NUMBERS_DOUBLE && crossings_sum(&found) > (touches ? found.count[CROSSINGS_TOUCHING] : 0) && settled.met) {
-      said++; /* the format's numbers cannot separate the parts, and the writer warns */
+      said++; /* the format's numbers cannot separate the parts of the solid, so the writer warns */
     } else if (crossings_sum(&found) > (touches ? found.count[CROSSINGS_TOUCHING] : 0)) {
       int n = snprintf(detail, sizeof detail, "meets itself as %s (%zu triangles, %zu said):", as[numbers], count, settled.met);
       for (int k = 0; k < CROSSINGS_KINDS; k++)
@@ -189,10 +194,11 @@ static void look_at_crossings(const char *what, const program *t, const vs_mesh 
   }
 }
 
-static bool in_levels; /* whether to combine the leaves level by level, as the kernel does in crowded clusters */
+static bool in_levels; /* whether the kernel combines the leaves of the tree level by level, as it does in crowded
+                        * clusters */
 
-/* Checks the result without bends. It must be a closed manifold of the same volume. If it intersects itself, this must
- * be reported. */
+/* Checks the result without bends. It must be a closed manifold with the volume of the result with bends. The kernel
+ * must report any self-intersection. */
 static void look_straight(const char *what, const program *t, const vs_kernel_problem *problem, const vs_mesh *bent) {
   vs_mesh m = { 0 };
   vs_kernel_error e;
@@ -283,7 +289,7 @@ static double count_of(const cells *c) {
 }
 
 static void one(uint64_t seed) {
-  static program a, b, t; /* static variables are allowed in a test program */
+  static program a, b, t; /* static variables: a test program may have them, the library not */
   static cells ca, cb;
   sow(seed);
   seed_kind k = (seed_kind)any(KINDS);
@@ -316,11 +322,11 @@ static void one(uint64_t seed) {
 }
 
 #ifndef FUZZ_AS_A_TEST
-/* Prints the program. A program on cells also prints its volume and the tolerance in the first line, and reports a
- * wrong volume. */
+/* Prints the program of the seed. For a program on cells, the first line contains also the volume and its tolerance,
+ * and a wrong volume is reported. */
 static int print(const char *name, uint64_t seed) {
   static const char *const names[] = { [CELL] = "cell", [TURNED] = "turned", [SPELT] = "spelt" };
-  static program t; /* static variables are allowed in a test program */
+  static program t; /* static variables: a test program may have them, the library not */
   static cells c;
   int k = CELL;
   while (k <= SPELT && strcmp(names[k], name) != 0) k++;
@@ -329,7 +335,7 @@ static int print(const char *name, uint64_t seed) {
   do {
     t.count = 0;
     add_tree(&t, (seed_kind)k, 4, &c);
-  } while (count_of(&c) == 0); /* an empty result cannot be written */
+  } while (count_of(&c) == 0); /* tries again, because an empty result cannot be written */
   double right = k == CELL ? 1e-9 : 1e-6;
   printf("; volume %g within %g\n(define o %s%s%s)\n", count_of(&c), right, k == TURNED ? "(rotate 33 21 17 " : "", t.at, k == TURNED ? ")" : "");
   printf("(unless (<= (abs (- (volume o) %g)) %g) (printf \"volume ~a\\n\" (volume o)))\n(draw o)\n", count_of(&c), right * count_of(&c));

@@ -1,10 +1,10 @@
 /* Makes and shrinks random programs: see models.h.
  *
- * The kinds are those of model/prims.def. Most are made by (make-NAME ...), (do-NAME ...) or (NAME ...). The table of
- * bind/ has the forms and contracts of these procedures, so a new kind with rows in both tables is tested without a
- * change here. The lines of `by_hand` make other kinds. Some kinds are sets of solids. `no_model` lists the kinds that
- * are no solid, with the reason. If a kind has none of these, the test fails. Curves and regions are profiles of swept
- * solids. */
+ * The kinds of solids are those of model/prims.def. Most are made by a procedure named (make-NAME ...), (do-NAME ...)
+ * or (NAME ...). The table of procedures in bind/ contains the forms and contracts of these procedures, so this file
+ * need not change for a new kind with rows in these two tables. The lines of `by_hand` make other kinds. `no_model`
+ * lists the kinds that are no solid, with the reason. The test fails for a kind that none of these covers. Curves and
+ * regions are profiles of swept solids. */
 #include "tests/oracle/models.h"
 
 #include <stdarg.h>
@@ -76,7 +76,7 @@ typedef struct {
   char *text;
   size_t count;
   int depth;
-  const char *first; /* kind of the first leaf; NULL after it is written */
+  const char *first; /* kind of the first leaf; NULL after the leaf is written */
 } maker;
 
 static uint32_t any(maker *m, uint32_t n) { /* returns a random integer of 0 .. n-1 */
@@ -115,7 +115,7 @@ static const char *no_model_why(const char *kind) {
     if (strcmp(no_model[i].kind, kind) == 0) return no_model[i].why;
   return NULL;
 }
-static size_t hands(const char *kind) { /* returns the number of lines of by_hand for the kind */
+static size_t hands(const char *kind) { /* returns the number of lines of by_hand that make the kind */
   size_t n = 0;
   for (size_t i = 0; i < sizeof by_hand / sizeof *by_hand; i++) n += strcmp(by_hand[i].kind, kind) == 0;
   return n;
@@ -186,8 +186,8 @@ static bool made(maker *m, const char *kind);
 
 static void profile(maker *m, bool closed) {
   static const char *const stars[] = { "(make-polygon (xy 0 0) (xy 2 0) (xy 2 1) (xy 0 1))", "(make-polygon (xy 1 0) (xy 3 0) (xy 2 1.5))", "(make-polygon (xy 1 0) (xy 3 0) (xy 1.5 .5) (xy 2 2))" };
-  if (m->depth > -3 && any(m, 3) == 0) { /* writes a kind of the table; at great depth a simple one, because some kinds
-                                          * would never end */
+  if (m->depth > -3 && any(m, 3) == 0) { /* writes a solid by a procedure of the table. At great depth it writes a
+                                          * simple solid, because the nesting of some kinds would never end */
     m->depth--;
     bool done = made(m, kind_at(any(m, (uint32_t)count_kinds(true)), true));
     m->depth++;
@@ -200,7 +200,8 @@ static void profile(maker *m, bool closed) {
   else say(m, "(make-line (xyz 0 0 0) (xyz %g 0 2) (xyz 2 1 3))", (double)any(m, 3));
 }
 
-/* Writes an argument for the contract. Returns false if no sample of the contract is known. */
+/* Writes a random argument that satisfies the contract. Returns false if this function has no example for the
+ * contract. */
 static bool argument(maker *m, int contract, const char *name) {
   switch (contract) {
   case VS_C_REAL: number(m, -1, 3); return true;
@@ -210,8 +211,8 @@ static bool argument(maker *m, int contract, const char *name) {
   case VS_C_DEGREES: number(m, 0, 80); return true;
   case VS_C_SOME: case VS_C_NATURAL: say(m, "%d", 1 + (int)any(m, 5)); return true;
   case VS_C_SIDES: say(m, "%d", 3 + (int)any(m, 20)); return true;
-  case VS_C_SEGMENTS: say(m, "%d", 24 + (int)any(m, 40)); return true; /* with fewer facets the volume differs from the
-                                                                        * formula */
+  case VS_C_SEGMENTS: say(m, "%d", 24 + (int)any(m, 40)); return true; /* chooses at least 24 facets; with fewer, the
+                                                                        * volume differs too much from the formula */
   case VS_C_BOOLEAN: say(m, any(m, 2) ? "#t" : "#f"); return true;
   case VS_C_POINT: case VS_C_PLACE: triple(m, "xyz", -3, 3); return true;
   case VS_C_VECTOR: triple(m, "vxyz", -2, 2); return true;
@@ -286,7 +287,7 @@ static bool made(maker *m, const char *kind) {
   return false;
 }
 
-/* Writes the first leaf. The seed selects its kind, or its profile's kind, so that every kind occurs. */
+/* Writes the first leaf. The seed selects its kind, or its profile's kind, so that consecutive seeds use every kind. */
 static bool first_leaf(maker *m) {
   const char *kind = m->first;
   m->first = NULL;
@@ -308,7 +309,7 @@ static void leaf(maker *m) {
       say(m, " %g %g %g)", 0.5 + any(m, 4), 0.5 + any(m, 4), 0.05 + any(m, 3));
       return;
     }
-    m->depth--; /* solids in arguments have less depth */
+    m->depth--; /* solids in arguments may have one level less below them */
     bool done = made(m, kind_at(any(m, (uint32_t)count_kinds(false)), false));
     m->depth++;
     if (done) return;
@@ -316,7 +317,7 @@ static void leaf(maker *m) {
   say(m, "(make-box origin 1 1 1)");
 }
 
-static void placed(maker *m, size_t from) { /* wraps the text from position `from` on in a placement */
+static void placed(maker *m, size_t from) { /* puts a placement around the text from position `from` to the end */
   static char was[MODEL_ROOM];
   snprintf(was, sizeof was, "%s", m->text + from);
   m->count = from;
@@ -346,7 +347,7 @@ static bool solid(maker *m) {
       say(m, " ");
       size_t at = m->count;
       solid(m);
-      if (i == 0 && any(m, 4) == 0 && m->count - at < MODEL_ROOM / 8) { /* adds a copy beside the part, with slightly
+      if (i == 0 && any(m, 4) == 0 && m->count - at < MODEL_ROOM / 8) { /* adds a copy of the last part, with slightly
                                                                          * different numbers */
         snprintf(was, sizeof was, "%s", m->text + at);
         say(m, " %s", was);
@@ -391,7 +392,8 @@ static void whole_leaf(maker *m) {
   }
 }
 
-static void slightly_turned(maker *m, size_t from) { /* rotates the text from position `from` on by a tiny angle */
+static void slightly_turned(maker *m, size_t from) { /* puts a rotation by a tiny angle around the text from position
+                                                      * `from` to the end */
   static char was[MODEL_ROOM];
   snprintf(was, sizeof was, "%s", m->text + from);
   m->count = from;
@@ -414,7 +416,7 @@ static void whole_set(maker *m, int depth) {
     say(m, " ");
     size_t from = m->count;
     whole_set(m, depth > 1 && any(m, 2) ? depth - 1 : 0);
-    if (i == 0 && any(m, 5) == 0 && m->count - from < MODEL_ROOM / 8) { /* adds a copy beside the part, with slightly
+    if (i == 0 && any(m, 5) == 0 && m->count - from < MODEL_ROOM / 8) { /* adds a copy of the last part, with slightly
                                                                          * different numbers */
       char was[MODEL_ROOM / 8];
       snprintf(was, sizeof was, "%s", m->text + from);
@@ -454,7 +456,7 @@ static const char *end_of(const char *at) { /* returns the end of the datum that
   return at;
 }
 
-/* Tries the text with [from, to) replaced. Keeps the change if the text still fails. */
+/* Tries the text with the characters [from, to) replaced. Keeps the change if the new text still fails. */
 static bool try_text(char text[MODEL_ROOM], const char *from, const char *to, const char *with, size_t length, model_fails *fails, void *context) {
   char tried[MODEL_ROOM];
   size_t before = (size_t)(from - text);

@@ -1,4 +1,5 @@
-/* Implements the oracle, which cuts tetrahedra. The leaves and their planes limit the recursion. */
+/* Implements the oracle, which computes volumes by cutting tetrahedra. The recursion is as deep as there are leaves and
+ * planes. */
 #include "tests/oracle/oracle.h"
 
 #include <gmp.h>
@@ -69,7 +70,7 @@ static void add_volume(oracle *o, const tetrahedron *t) {
 static void outside(oracle *o, const vs_mesh *m, size_t face, const point *v, mpq_t d) {
   const uint32_t *c = m->triangles[face];
   vs_vec3 a = m->vertices[c[0]], n = vs_v3_cross(vs_v3_sub(m->vertices[c[1]], a), vs_v3_sub(m->vertices[c[2]], a));
-  double nn[3] = { n.x, n.y, n.z }; /* small integers are exact in doubles */
+  double nn[3] = { n.x, n.y, n.z }; /* the components are small integers, so the doubles are exact */
   mpq_set_d(d, -vs_v3_dot(n, a));
   for (int i = 0; i < 3; i++) {
     mpq_set_d(o->t, nn[i]);
@@ -99,7 +100,8 @@ static void cut(oracle *o, const tetrahedron *t, uint32_t leaf, size_t face, uin
     cut(o, t, leaf, face + 1, mask);
   } else if (low < 0) {
     cut(o, t, leaf + 1, 0, mask);
-  } else { /* halves the edge low-high where it crosses the plane; each half has fewer edges that cross it */
+  } else { /* halves the edge low-high where the plane intersects it; each half of the tetrahedron has fewer edges that
+            * intersect the plane */
     tetrahedron a, b;
     init(&a);
     init(&b);
@@ -128,8 +130,8 @@ double oracle_volume(const vs_kernel_problem *problem, long size) {
   static const int paths[6][3] = { { 0, 1, 2 }, { 0, 2, 1 }, { 1, 0, 2 }, { 1, 2, 0 }, { 2, 0, 1 }, { 2, 1, 0 } };
   oracle o = { .problem = problem };
   mpq_inits(o.sum, o.t, o.u, o.d[0], o.d[1], o.d[2], o.d[3], NULL);
-  for (int p = 0; p < 6; p++) { /* divides the cube: a tetrahedron for each order of the axes on the way from corner to
-                                 * corner */
+  for (int p = 0; p < 6; p++) { /* divides the cube into six tetrahedra: each order of the axes gives a way from corner
+                                 * to opposite corner along three edges, which are edges of a tetrahedron */
     tetrahedron t;
     init(&t);
     for (int i = 0; i < 4; i++)

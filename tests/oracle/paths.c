@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The including file must first include models.c, which contains the generator. */
+/* A file that includes this file must first include models.c, which contains the generator of random numbers. */
 
 enum { SAMPLES = 1000 };
 
@@ -16,8 +16,8 @@ static path_row samples[SAMPLES];
 static size_t sample_count;
 static char *definitions;
 
-/* Definitions for the samples: solids made from curves, regions and surfaces; a drawing by a file in another language;
- * a facade made by two rules. */
+/* Definitions that the samples need: solids made from curves, regions and surfaces; a drawing made by a script in
+ * another language; a facade made by two rules. */
 static const char helpers[] =
     "(define (thick o) (if (or (curve? o) (region? o) (surface? o)) (do-thicken o 1/8) o))\n"
     "(define (drawn file) (erase-all) (load file) (let ([all (drawing)]) (erase-all) (unite all)))\n"
@@ -39,7 +39,7 @@ static const path_row others[] = {
 
 /* ---- the table of shapes ---- */
 
-/* Returns the text after blanks and comments. */
+/* Returns the first text in `at` that is neither a blank nor a comment. */
 static const char *beyond_blanks(const char *at) {
   for (;;) {
     at += strspn(at, " \t\r\n");
@@ -48,7 +48,8 @@ static const char *beyond_blanks(const char *at) {
   }
 }
 
-/* Returns the text after the datum that begins at `at`. Strings, characters and comments may contain parentheses. */
+/* Returns the text after the expression that begins at `at`. Parentheses within strings, characters and comments do not
+ * count. */
 static const char *behind(const char *at) {
   int depth = 0;
   bool quoted;
@@ -101,8 +102,8 @@ static void unwrapped(char *text) {
 
 static void add_sample(const char *name, const char *object, const char *end) {
   if (sample_count == SAMPLES) abort();
-  if (strncmp(object, "(only ", 6) == 0) return; /* `only` restricts the written drawing, so that it differs from the
-                                                  * measured object */
+  if (strncmp(object, "(only ", 6) == 0) return; /* skips this sample: `only` restricts the written drawing, so the
+                                                  * drawing differs from the measured object */
   const char *name_end = behind(name);
   samples[sample_count].name = copy_of(name + 1, name_end - 1);
   samples[sample_count].object = copy_of(object, end);
@@ -142,8 +143,8 @@ const char *path_sample(size_t i) { return i < sample_count ? samples[i].name : 
 bool path_is_nothing(const char *name) {
   char kind[64];
   snprintf(kind, sizeof kind, "%.*s", (int)strcspn(name, "/"), name);
-  bool endless = strcmp(kind, "xline") == 0 || strcmp(kind, "ray") == 0; /* whether the sample has no bounds and no
-                                                                          * mesh */
+  bool endless = strcmp(kind, "xline") == 0 || strcmp(kind, "ray") == 0; /* whether the sample is infinite, with neither
+                                                                          * bounds nor a mesh */
   return endless || strcmp(kind, "empty-object") == 0 || (no_model_why(kind) && strchr(name, '/') == NULL);
 }
 const char *path_definitions(void) { return definitions; }
@@ -219,7 +220,7 @@ static void wrap(maker *m, const char *form, const char *other) {
   around(m, form, was, other);
 }
 
-/* Writes a box, or sometimes another sample. */
+/* Writes another solid: mostly a box, sometimes another sample. */
 static void other_solid(maker *m) {
   if (any(m, 3)) {
     double x = between(m, -3, 2), y = between(m, -3, 2), z = between(m, -3, 2);
@@ -239,7 +240,7 @@ void path_make(uint64_t seed, char text[MODEL_ROOM], size_t *which, size_t *way,
   other[0] = 0;
   other_solid(&m);
   m.text = text, m.count = 0;
-  /* uses each sample in turn, and changes ways and sets so that all combinations occur */
+  /* consecutive seeds use consecutive samples with different placements; the set operation is random */
   *which = seed % sample_count;
   *way = (seed + seed / sample_count) % path_ways();
   *set = any(&m, (uint32_t)path_sets());

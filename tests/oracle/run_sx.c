@@ -1,10 +1,10 @@
 /* Evaluates .sx files with the kernel. For each file it prints the volume, the number of triangles, whether the mesh is
- * closed, and the seconds.
+ * closed, and the time in seconds.
  *
  * usage: run_sx [-t threads] [-g] [-o out.stl] FILE...
  *
- * -g also prints the longest time between two calls of progress, in the caller's processor time, and the completed
- * fraction at that time. */
+ * -g also prints the longest time between two calls of the progress callback, in processor time of the calling thread,
+ * and the completed fraction at that time. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

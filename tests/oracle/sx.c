@@ -151,8 +151,8 @@ static void apply(const frame *f, vs_affine *at) {
   }
 }
 
-/* Parses the text in a single pass with a stack of open forms. A form `use` pushes the position to which the parser
- * returns. */
+/* Parses the text in a single pass with a stack of open forms. A form (use name) pushes the current position, to which
+ * the parser returns after reading the definition. */
 static bool parse(reader *r, const char *text, uint32_t *root) {
   frame *stack = NULL;
   size_t room = 0, depth = 0;
