@@ -37,8 +37,8 @@ static inline vs_ref test_cylinder(test_model *m, vs_vec3 base, vs_vec3 top, dou
 static inline vs_ref test_move(test_model *m, double x, double y, double z, vs_ref what) {
   return test_node(m, 4, VS_TRANSFORM, &(struct vs_transform){ .matrix = vs_affine_translation(vs_v3(x, y, z)) }, &what, 1);
 }
-/* Returns a node that gives the object `what` the material `name`. Uses struct vs_material, since prims.def would give
- * the node's data the same name; their layouts are equal. */
+/* Returns a node that gives the object `what` the material `name`. The node's data have the layout of struct
+ * vs_material, which this function uses instead of the equally named type of prims.def. */
 static inline vs_ref test_paint(test_model *m, const char *name, vs_ref what) {
   struct { vs_field_material material; unsigned char end; } data = { vs_store_ready_material(m->store, name), 0 };
   return test_node(m, 5, VS_MATERIAL, &data, &what, 1);

@@ -1,4 +1,4 @@
-/* Reads the seeds that a test of random inputs runs. */
+/* Determines the range of seeds for a test of random inputs. */
 #ifndef VS_TESTS_SEEDS_H
 #define VS_TESTS_SEEDS_H
 
@@ -12,8 +12,8 @@
 
 #include <cmocka.h>
 
-/* from: first seed. to: last seed. whole: true if the environment variable LONG or SEEDS requests more than the usual
- * sample. asked: true if SEEDS does. A variable that is set but empty counts as not set. */
+/* from, to: first and last seed. whole: true if the environment variable LONG or SEEDS requests more than the usual
+ * sample. asked: true if SEEDS is set. A variable that is set but empty counts as not set. */
 typedef struct { unsigned long long from, to; bool whole, asked; } seed_range;
 
 /* Returns the seeds FROM to TO of the environment variable SEEDS=FROM-TO. Without SEEDS, returns 1 to `most` with

@@ -1,5 +1,6 @@
-/* Tests the files of backends/ that need no interpreter: numbers, the tree dump and its reader, each format's words. A
- * file appears whole or not at all. POV-Ray draws our pictures, and OpenSCAD reads our programs. */
+/* Tests the files of backends/ that need no interpreter: numbers, the tree dump and its reader, the text of each
+ * format. An output file appears complete or not at all. POV-Ray draws the written scenes, and OpenSCAD reads the
+ * written programs. */
 #define _XOPEN_SOURCE 700
 #include <locale.h>
 #include <setjmp.h>
@@ -120,12 +121,13 @@ static void test_numbers(void **state) {
     uint64_t bits = seed ^ seed >> 29;
     double x;
     memcpy(&x, &bits, sizeof x);
-    /* coordinates of models, large and small */
+    /* coordinates of many sizes, as in models */
     if (i % 8 > 0) x = (double)(int64_t)seed / (double)(UINT64_C(1) << (20 + i % 44));
     if (i % 8 == 2) x = round(x * 1000) / 1000;
     if (i % 8 == 3) x *= 1e-12;
-    if (i % 8 == 4) x = ldexp((double)(seed >> 40), -(i % 40)); /* numbers half-way between two roundings */
-    /* numbers near a power of ten, some of which round up to one digit more */
+    if (i % 8 == 4) x = ldexp((double)(seed >> 40), -(i % 40)); /* numbers half-way between two adjacent results of
+                                                                 * rounding */
+    /* numbers near a power of ten; rounding up gives some of them one digit more */
     if (i % 8 == 5) x = (999999999999.0 + (double)(seed >> 54) / 512) / pow(10, i % 23);
     if (i % 8 == 6) x = nextafter(pow(10, i % 33 - 16), i % 3 - 1);
     assert_as_printed(x);
@@ -208,7 +210,7 @@ static void test_tree_refuses(void **state) {
   }
 }
 
-/* ---- each format's words ---- */
+/* ---- the text of each format ---- */
 
 /* ---- deflating ---- */
 
@@ -268,17 +270,17 @@ static void test_povray_words(void **state) {
   assert_holds(text, "sphere { <1, 2, 3>, 4 }\n");
   assert_holds(text, "cylinder { <0, 0, 0>, <0, 0, 2>, 0.5 }\n");
   assert_holds(text, "cone { <0, 0, 0>, 2, <0, 0, 1>, 0 }\n");
-  assert_holds(text, "cylinder { <0, 0, 0>, <0, 0, 1>, 1 }\n"); /* POV-Ray's cone refuses equal radii, so a cylinder is
-                                                                 * written */
+  assert_holds(text, "cylinder { <0, 0, 0>, <0, 0, 1>, 1 }\n"); /* POV-Ray refuses a cone with equal radii, so the
+                                                                 * writer writes a cylinder */
   assert_holds(text, "torus { 3, 1 rotate 90*x translate <1, 1, 1> }\n");
   assert_holds(text, "object {\n  difference {\n    box { <0, 0, 0>, <1, 1, 1> }\n    sphere { <0, 0, 0>, 0.5 }\n  }\n  material { M1_red }\n}\n");
   free(text);
   test_model_close(&m);
 }
 
-/* POV-Ray keeps a thin skin of material between two cutters that touch face to face. It also keeps a skin where a face
- * of a cutter lies in a face of the object that it cuts. The writer therefore enlarges the later cutter. It does not
- * enlarge cutters side by side, or cutters that only share the plane of their bottoms. */
+/* POV-Ray leaves a thin skin of material where two subtracted solids touch face to face, or where a face of a
+ * subtracted solid lies in a face of the object. The writer therefore enlarges the later of two touching solids, or the
+ * subtracted solid. It does not enlarge solids side by side, or solids that only share the plane of their bottoms. */
 static void test_povray_skins(void **state) {
   (void)state;
   test_model m;
@@ -296,7 +298,7 @@ static void test_povray_skins(void **state) {
   test_model_close(&m);
 }
 
-/* ---- solids that pictures get as triangles ---- */
+/* ---- solids that POV-Ray receives as triangles ---- */
 
 static memory scene_text;
 static bool keep_scene(vs_emitter *e, const char *scene, const char *output) {
@@ -309,7 +311,8 @@ static bool keep_scene(vs_emitter *e, const char *scene, const char *output) {
   return fclose(f) == 0;
 }
 
-/* Returns the scene that POV-Ray would receive for a picture. It is valid until the next call. */
+/* Returns the scene that POV-Ray would receive for a picture. The text is valid until the next call of this
+ * function. */
 static const char *pictured(test_model *m) {
   vs_backend instead = vs_backend_povray_png;
   instead.render = keep_scene;
@@ -359,8 +362,8 @@ static void test_povray_solids(void **state) {
   test_model_close(&m);
 }
 
-/* Boolean operations that are not replaced by a mesh: few parts, glass around or inside, a pattern that was moved with
- * its part, an operand of another operation. */
+/* Tests boolean operations that no mesh replaces: with few parts, with glass around or inside, with a pattern that was
+ * moved with its part, or as operand of another operation. */
 static void test_povray_solids_left(void **state) {
   (void)state;
   test_model m;
@@ -371,7 +374,7 @@ static void test_povray_solids_left(void **state) {
     if (i == 2) wall = test_paint(&m, "glass", wall);
     if (i == 3) wall = test_pair(&m, VS_DIFFERENCE, wall, moved);
     else vs_node_release(moved.node);
-    if (i == 4) { /* draws the solid alone, or as a cutter of a larger glass sphere */
+    if (i == 4) { /* draws the solid alone, or subtracts it from a larger glass sphere */
       vs_node_retain(wall.node);
       test_draw(&m, test_paint(&m, "glass", test_pair(&m, VS_DIFFERENCE, test_sphere(&m, 0, 0, 0, 20), wall)));
     }
@@ -443,7 +446,7 @@ static vs_ref open_surface(test_model *m) {
   return ref;
 }
 
-/* A format writes no boolean operation without operands, whether the object is a single operand, or empty, or of a
+/* No format may write a boolean operation without operands. Tests a single operand, an empty object, and an object of a
  * class that the format omits. */
 static void test_left_out(void **state) {
   (void)state;
@@ -633,7 +636,7 @@ static void test_files(void **state) {
   assert_true(vs_export(&m.scene, NULL, p.path, NULL, &e));
   assert_int_equal(place_files(&p), 1);
 
-  /* An export that fails keeps the old file, and leaves no other file in the folder. */
+  /* An export that fails must keep the old file, and leave no other file in the folder. */
   struct stat before, after;
   assert_int_equal(stat(p.path, &before), 0);
   vs_ref box = test_box(&m, 0, 0, 0, 1, 1, 1);
@@ -673,8 +676,9 @@ static void test_formats(void **state) {
   assert_string_equal(vs_export_format_find("openscad")->suffix, "scad");
   for (size_t i = 0; i < vs_export_format_count(); i++)
     for (size_t k = 0; k < i; k++) assert_string_not_equal(vs_export_format_at(i)->name, vs_export_format_at(k)->name);
-  assert_string_equal(vs_export_format_find("x.stl")->name, "stl"); /* vs_export_format_find returns the first of the
-                                                                     * two formats with the suffix .stl */
+  assert_string_equal(vs_export_format_find("x.stl")->name, "stl"); /* two formats have the suffix .stl;
+                                                                     * vs_export_format_find must return the format
+                                                                     * "stl" */
   assert_string_equal(vs_export_format_find("stl-ascii")->suffix, "stl");
 }
 
@@ -762,9 +766,9 @@ static void test_povray_stops(void **state) {
   test_model_close(&m);
 }
 
-/* Several POV-Ray processes draw one picture, each a horizontal strip of it. The number of strips depends on the
- * picture's size and triangles, not on the number of processors. A part of a picture is drawn in the strips of the
- * whole picture that contain it. */
+/* Several POV-Ray processes draw one picture; each draws a horizontal strip. The number of strips depends on the
+ * picture's size and triangles, not on the number of processors. For a part of a picture, POV-Ray draws those strips of
+ * the whole picture that contain the part. */
 static void test_povray_plan(void **state) {
   (void)state;
   static const int sizes[][2] = { { 1, 1 }, { 64, 48 }, { 3, 4000 }, { 4000, 3 }, { 640, 480 }, { 1024, 768 }, { 1023, 997 }, { 4800, 3600 }, { 32768, 32768 } };
@@ -803,8 +807,8 @@ static void test_povray_plan(void **state) {
     }
 }
 
-/* Tests a red sphere in front of a pale sky: red in the middle, not red in the corner. POV-Ray reads the picture back
- * and prints its colours. */
+/* Tests the picture of a red sphere in front of a pale sky: red in the middle, not red in the corner. A POV-Ray scene
+ * reads the picture and prints its colours. */
 static void test_povray_picture(void **state) {
   (void)state;
   if (!installed("povray")) SKIP_TEST("no povray (package povray)");
@@ -905,7 +909,7 @@ static void test_openscad_takes_all(void **state) {
   test_model_close(&m);
 }
 
-/* A format that contains only the union of the solids must warn about each other class of objects that it omits. */
+/* A format that contains only the union of the solids must warn about each class of objects that it omits. */
 static void test_tells_what_is_left_out(void **state) {
   (void)state;
   static const struct { const char *name; const vs_backend *backend; } all[] = {

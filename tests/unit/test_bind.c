@@ -1,5 +1,5 @@
-/* Tests the geometry's natives, called one by one without the reader: values, messages, and objects that
- * collapse. */
+/* Tests the C procedures that make geometry, called one by one without the reader: values, messages, and degenerate
+ * objects. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -36,7 +36,9 @@ static bool define(vs_scheme *vm, void *context, vs_value symbol, vs_value proce
   return w->count < NAMES;
 }
 static void warn(void *context, const vs_origin *origin, const char *message) {
-  world *w = (world *)(void *)((char *)context - offsetof(world, bind)); /* `context` is the member `bind` of a world */
+  world *w = (world *)(void *)((char *)context - offsetof(world, bind)); /* a world's member `bind` is passed as
+                                                                          * context, so the world is found by the
+                                                                          * member's offset */
   (void)origin;
   w->warnings++;
   snprintf(w->warning, sizeof w->warning, "%s", message);

@@ -1,5 +1,5 @@
-/* Tests the cache of computed results. It compares whole values, not only their hashes. It removes the least recently
- * used entry first. It stays within its limit of bytes, and gives up its memory when an allocation is refused. */
+/* Tests the cache of computed results. The cache compares whole values, not only their hashes. It removes the least
+ * recently used entry first, stays within its limit of bytes, and frees its memory when an allocation is refused. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -69,13 +69,15 @@ static void test_bound(void **state) {
   enum { ONE = 10000, LIMIT = 100000 };
   vs_store *s = vs_store_new(NULL, NULL);
   vs_cache *c = vs_cache_new(s, LIMIT);
-  for (uint64_t i = 0; i < 50; i++) { /* requests each value in a separate turn */
+  for (uint64_t i = 0; i < 50; i++) { /* requests each value in a separate turn, the time between two calls of
+                                       * vs_cache_turn */
     vs_cache_turn(c, true);
     vs_node *n = sphere(s, 1 + (double)i);
     vs_cache_let_go(c, keep(c, n, i, ONE));
     vs_node_release(n);
     assert_true(vs_cache_count(c).bytes <= LIMIT);
-    assert_true(vs_store_bytes(s) < LIMIT + 4096); /* the limit includes nodes that only the cache still refers to */
+    assert_true(vs_store_bytes(s) < LIMIT + 4096); /* the cache's limit includes nodes to which only the cache still
+                                                    * refers */
     if (i > 0) {
       vs_node *again = sphere(s, 1);
       assert_true(holds(c, again, 0)); /* every turn requests the value of `again`, so the cache removes other
@@ -97,7 +99,7 @@ static void test_bound(void **state) {
   for (uint64_t i = 100; i < 100 + kept; i++) assert_true(holds(c, NULL, i));
   assert_null(keep(c, NULL, 999, LIMIT));
   const vs_cached *held = vs_cache_find(c, &(vs_cache_key){ VS_CACHED_PRIMITIVE, NULL, (uint64_t[]){ 101 }, 1, 0 });
-  assert_true(vs_cache_shrink(c, SIZE_MAX)); /* vs_cache_shrink removes every entry that no caller holds */
+  assert_true(vs_cache_shrink(c, SIZE_MAX)); /* vs_cache_shrink removes every entry to which no caller refers */
   assert_int_equal(vs_cache_count(c).entries, 1);
   assert_false(vs_cache_shrink(c, SIZE_MAX));
   vs_cache_let_go(c, held);
@@ -113,8 +115,8 @@ static void test_refused(void **state) {
   vs_store *s = vs_store_new(NULL, NULL);
   vs_cache *c = vs_cache_new(s, 1 << 20);
   vs_node *leaf = sphere(s, 1), *n = leaf;
-  for (int i = 0; i < 200; i++) { /* a node 200 levels deep: while the cache counts its bytes, it polls for an
-                                   * interrupt */
+  for (int i = 0; i < 200; i++) { /* a node 200 levels deep: the cache must poll for an interrupt while it counts the
+                                   * node's bytes */
     vs_ref both[] = { { n, NULL }, { leaf, NULL } };
     vs_node *up = vs_node_new(s, VS_UNION, &(struct vs_union){ 0 }, both, 2);
     if (n != leaf) vs_node_release(n);
@@ -188,7 +190,8 @@ static bytes written(vs_scheme *s, const char *format, bool last) {
   return b;
 }
 
-/* Forty parts, each a cluster of three. No part is a copy of another. `changed` gives part k another radius. */
+/* The model has forty parts, each a cluster (a group of touching solids) of three. No part is a copy of another part.
+ * `changed` is another radius for part k. */
 enum { PARTS = 40 };
 static const char *const parts =
     "(define (part i r) (subtract (unite (make-box (xyz (* 10 i) 0 0) (xyz (+ (* 10 i) 5 (* i 0.01)) 5 5)) (make-sphere (xyz (* 10 i) 0 0) r)) (make-cylinder (xyz (+ (* 10 i) 2) 2 -1) 7 1)))"
@@ -207,7 +210,8 @@ static void test_incremental(void **state) {
     bytes second = written(s, formats[f], false);
     if (!strcmp(formats[f], "stl")) {
       assert_true(combined == PARTS);
-      assert_true(statistic(s, "cache.clusters.misses") == PARTS + 1); /* only the changed part is computed */
+      assert_true(statistic(s, "cache.clusters.misses") == PARTS + 1); /* after a change, only the changed part is
+                                                                        * computed again */
     }
     if (combined > 0) {
       assert_true(combined >= PARTS);
@@ -233,7 +237,8 @@ static void test_incremental(void **state) {
   }
 }
 
-/* The cache stores results of measures and checks, and finds them only for an equal object. */
+/* The cache stores the results of measures and checks, and returns a result only for an object equal to the measured
+ * object. */
 static void test_measures(void **state) {
   (void)state;
   static const char define[] =
@@ -254,8 +259,8 @@ static void test_measures(void **state) {
   vs_free(s);
 }
 
-/* Parts in another order, with other colours or in other layers use the cached results: neither order nor colour nor
- * layer is part of a result's key. */
+/* Parts in another order, of other colours or on other layers use the cached results, because order, colour and layer
+ * are not in the key by which the cache finds a result. */
 static void test_tags(void **state) {
   (void)state;
   static const char *const programs[] = {
@@ -410,9 +415,8 @@ static vs_scheme *hearing(heard *h, size_t cache) {
 }
 
 /* A drawing with shapes alone and in a difference, painted and unpainted, templates, thin parts, a half-space and a
- * mesh. Each parameter changes one thing. a: a shape in the middle. b: an object before all others, with its own paint
- * and template. c: the size of the drawing, and with it the tolerance and the thickness of lines. d: the paint of the
- * first row. */
+ * mesh. Parameter a changes a shape in the middle; b an object before all others, with its own paint and template; c
+ * the drawing's size, and with it the tolerance and the thickness of lines; d the paint of the first row. */
 static const char model[] =
     "(define (bolt h) (unite (make-cylinder (xyz 0 0 0) h 0.3) (make-box (xyz -1 -1 h) (xyz 1 1 (+ h 0.4))) (make-regular-polygon (xyz 0 0 0) 1 6)))\n"
     "(define (nut h) (subtract (make-box (xyz -1 -1 0) (xyz 1 1 h)) (make-cylinder (xyz 0 0 -1) 9 0.5) (make-torus (xyz 0 0 0) 1 0.2)))\n"
@@ -452,7 +456,7 @@ static void test_texts(void **state) {
       if (strcmp(formats[f], "x3d") != 0) {
         assert_true(texts >= 5);
         if (i == 0) assert_true(emitted == texts);
-        if (steps[i].most) assert_true(2 * emitted <= texts + 1); /* after a change, at most half of the pieces of text
+        if (steps[i].most) assert_true(2 * emitted <= texts + 1); /* after a change, at most half of the cached texts
                                                                    * are written anew */
       }
       free(b.at), free(c.at);
@@ -484,8 +488,8 @@ static void test_texts_refused(void **state) {
     assert_non_null(s);
     run(s, drawn);
     vs_output_options w = vs_output_options_default();
-    for (int again = 0; again < 2; again++) { /* the first turn stores text in the cache, the second turn finds it
-                                               * there */
+    for (int again = 0; again < 2; again++) { /* the first output stores text in the cache, the second output uses this
+                                               * text */
       bytes b = { NULL, 0 };
       r = (refusal){ left, again == 0 };
       vs_outcome outcome = vs_write_drawing_to(s, "povray", &w, collect, &b);

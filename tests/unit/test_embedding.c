@@ -12,7 +12,7 @@
 #include "visualscheme.h"
 #include "vm/machine/vs.h"
 
-typedef struct { long left; /* left: number of allocations until one is refused; negative: none is refused */ size_t live, blocks; int told; } budget;
+typedef struct { long left; /* left: number of allocations until one is refused; negative if none is to be refused */ size_t live, blocks; int told; } budget;
 
 static void *take(void *context, void *old, size_t old_size, size_t new_size) {
   budget *b = context;
@@ -48,7 +48,7 @@ static const char program[] =
   "(draw (do-sweep (make-circle (xyz 0 0 0) 1/4) (make-spline (list (xyz 0 0 0) (xyz 1 0 4) (xyz 9 0 5))) 0 0.5))\n"
   "(make-cylinder (xyz 0 0 0) (xyz 0 0 0) 1)\n";
 
-/* returns true if the session succeeded */
+/* runs a session that uses the whole interface; returns true if all of it succeeded */
 static bool session(budget *b) {
   vs_options o = vs_options_default();
   o.alloc = take, o.alloc_context = b;
@@ -63,7 +63,7 @@ static bool session(budget *b) {
   }
   vs_summary summary;
   if (ok) ok = vs_drawing_summary(s, &summary) == VS_OUTCOME_DONE;
-  for (int twice = 0; ok && twice < 2; twice++) { /* writing the drawing the first time must leave it unchanged */
+  for (int twice = 0; ok && twice < 2; twice++) { /* writes the drawing twice, because writing it must not change it */
     vs_outcome outcome = vs_write_drawing_to(s, twice ? "tree" : "povray", NULL, drop, b);
     assert_true(outcome == VS_OUTCOME_DONE || outcome == VS_OUTCOME_MACHINE);
     ok = outcome == VS_OUTCOME_DONE;
@@ -80,17 +80,18 @@ static void test_refusals(void **state) {
     bool ok = session(&b);
     assert_int_equal(b.live, 0);
     assert_int_equal(b.blocks, 0);
-    if (b.left >= 0) { /* the program made fewer than n allocations: none was refused */
+    if (b.left >= 0) { /* the session made fewer than n allocations, so none was refused and the test is complete */
       assert_true(ok);
       break;
     }
-    if (n > 400) step = 7; /* later allocations are similar, so only every seventh is tested */
+    if (n > 400) step = 7; /* after the first 400 allocations, only every seventh is tested, because later allocations
+                            * are similar */
   }
   assert_true(n > 20);
 }
 
-static void test_limit(void **state) { /* the memory limit includes the drawing; the interpreter works after it was
-                                        * reached */
+static void test_limit(void **state) { /* the drawing counts towards the memory limit; after a program has reached the
+                                        * limit, the interpreter still works */
   (void)state;
   budget b = { .left = -1 };
   vs_options o = vs_options_default();
@@ -146,8 +147,8 @@ static void test_stops(void **state) {
   assert_int_equal(stop.at.line, 2);
   assert_true(vs_call_get(s, 0, &call));
   assert_string_equal(call.variables, "n = 4, a = 8, b = 9");
-  /* expressions that are evaluated while the program is stopped can use its variables; a garbage collection moves the
-   * stopped frames; a second stop lies above the first on the stack */
+  /* expressions that are evaluated while the program is stopped can use its variables, even after a garbage collection;
+   * a program may stop again while another stop is active */
   assert_int_equal(run(s, "(list b a)", STOP), VS_OUTCOME_DONE);
   assert_string_equal(last, "(9 8)");
   assert_int_equal(run(s, "(deep 100000)", STOP), VS_OUTCOME_STOPPED);
@@ -156,9 +157,10 @@ static void test_stops(void **state) {
       "(let loop ([i 0] [l '()]) (if (< i 2000000) (loop (+ i 1) (cons i l)) (+ n (length l))))", STOP),
       VS_OUTCOME_DONE);
   assert_string_equal(last, "2000000");
-  assert_int_equal(run(s, "(car 5)", STOP), VS_OUTCOME_MODEL); /* an error at a stop does not end the stop */
+  assert_int_equal(run(s, "(car 5)", STOP), VS_OUTCOME_MODEL); /* an error in an expression that is evaluated at a stop
+                                                                * does not end the stop */
   assert_int_equal(vs_stop_depth(s), 2);
-  /* steps out of one of 100,000 nested calls: the next stop is in its caller */
+  /* steps out of one of 100,000 nested calls: the next stop is in the caller of that call */
   assert_int_equal(vs_resume(s, VS_RESUME_OUT), VS_OUTCOME_STOPPED);
   assert_true(vs_stop_get(s, &stop));
   assert_int_equal(stop.kind, VS_STOPPED_VALUE);
@@ -172,7 +174,7 @@ static void test_stops(void **state) {
   assert_int_equal(vs_stop_depth(s), 1);
   assert_int_equal(vs_resume(s, VS_RESUME_CONTINUE), VS_OUTCOME_DONE);
   assert_string_equal(last, "(8 9 4)");
-  /* a stop that the host dropped, and the stop after it, are gone after a restart */
+  /* a restart removes all stops, including a stop that the host abandoned */
   assert_int_equal(run(s, "(wall 5)", STOP), VS_OUTCOME_STOPPED);
   vs_stop_drop(s);
   assert_int_equal(vs_stop_depth(s), 0);
@@ -182,7 +184,7 @@ static void test_stops(void **state) {
   vs_free(s);
 }
 
-/* Steps through a program to its end. Returns false if an allocation was refused. */
+/* Runs a session that steps through a program to its end. Returns false if an allocation was refused. */
 static bool step_session(budget *b) {
   vs_options o = vs_options_default();
   o.alloc = take, o.alloc_context = b;
@@ -215,8 +217,8 @@ static void test_stops_refused(void **state) {
   }
 }
 
-/* Tests a fault that is corrected. A restart subtracted the bytes of the old heap from those of the new heap. The count
- * fell below 0, so an empty heap seemed to exceed the limit. */
+/* Tests a corrected fault. A restart subtracted the bytes of the old heap from those of the new heap. The count fell
+ * below 0, so an empty heap seemed to exceed the limit. */
 static void test_restarts_under_a_limit(void **state) {
   (void)state;
   budget b = { .left = -1 };
@@ -230,8 +232,8 @@ static void test_restarts_under_a_limit(void **state) {
     assert_int_equal(run(s, "(define (f x) (if (< x 2) x (* x (f (- x 1))))) (f 20)", 0), VS_OUTCOME_DONE);
     assert_int_equal(run(s, "(lambda (x) (if))", 0), VS_OUTCOME_MODEL);
     assert_int_equal(vs_restart(s), VS_OUTCOME_DONE);
-    /* A second restart, since only every other restart maps the image of the heap from its file, and mapped memory is
-     * not counted. */
+    /* Restarts twice, since only every other restart maps the image of the heap from its file. Mapped memory does not
+     * count. */
     assert_int_equal(vs_restart(s), VS_OUTCOME_DONE);
     if (i == 0) anew = s->bytes;
     assert_int_equal(s->bytes, anew);
@@ -244,7 +246,8 @@ static void test_restarts_under_a_limit(void **state) {
   vs_free(s);
 }
 
-/* A host checks the syntax of a long text while no program runs. The limits of the last evaluation must not apply. */
+/* A host checks the syntax of a long text while no program runs. The time and memory limits of the last evaluation must
+ * not apply. */
 static void test_reading_after_a_limit(void **state) {
   (void)state;
   enum { LONG = 1 << 20 };

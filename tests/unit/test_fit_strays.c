@@ -1,7 +1,7 @@
-/* Tests fits of a model of a facade to points that were scanned from one side. Some of the points, called strays, are
- * not on the facade. The table has several kinds of strays, and several poses of the facade. A fit is right if each
- * number is within a hundredth of its true value; a wrong fit must report a doubt. LONG=1: 100 seeds for each cell of
- * the table; otherwise a sample; FITS=N: N seeds. SHOW=1 prints the table, and each fit that is wrong or in doubt. */
+/* Tests fits of a model of a facade to points that were scanned from one side. Points that are not on the facade are
+ * called strays. The test's table has a cell for each kind of strays and each pose of the facade. A fit is right if
+ * each fitted number is within a hundredth of its true value; a wrong fit must report a doubt. LONG=1 runs 100 seeds
+ * for each cell, FITS=N runs N seeds. SHOW=1 prints the table, and each fit that is wrong or in doubt. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -28,9 +28,9 @@ static double normal(uint64_t *seed) { return sqrt(-2 * log(1 - share(seed))) * 
 
 /* ---- the facade: a wall of cells ----
  *
- * The tables below contain the positions of the divisions along each axis, and whether each cell is full. Three windows
- * in two rows are set back; the plinth and the cornice project. The model has three numbers: width, height, and the
- * width of a window. */
+ * The tables below contain the positions of the divisions between cells along each axis, and whether each cell is full.
+ * Three windows in two rows are set back; the plinth and the cornice project. The model has three numbers: width,
+ * height, and the width of a window. */
 
 enum { NUMBERS = 3, ALONG = 7, DEEP = 4, UP = 7 };
 
@@ -56,8 +56,8 @@ static bool breaks(const double *n, double x[ALONG + 1], double y[DEEP + 1], dou
 
 typedef void quad_fn(void *context, int axis, bool low, const int at[3]);
 
-/* Calls fn for each side of a full cell next to an empty cell. at: the cell's lower corner, or the corner one step
- * further. */
+/* Calls fn for each side of a full cell next to an empty cell. fn receives the lower corner of the cell in `at`, or the
+ * corner one cell further for the cell's upper side. */
 static void each_side(quad_fn *fn, void *context) {
   for (int i = 0; i < ALONG; i++)
     for (int j = 0; j < DEEP; j++)
@@ -136,8 +136,8 @@ static void see(void *context, int axis, bool low, const int at[3]) {
 
 typedef enum { ANYWHERE, TREE, GROUND, STRAY_KINDS } stray_kind;
 
-/* Returns a point that is not on the facade. Depending on the kind, the point is anywhere around the facade, in a tree
- * in front of it, or on the ground or in the tree. */
+/* Returns a stray, a point that is not on the facade. Depending on the kind, the point is anywhere around the facade,
+ * in a tree in front of it, or on the ground or in the tree. */
 static vs_vec3 stray(stray_kind kind, const double *n, uint64_t *seed) {
   if (kind == ANYWHERE)
     return vs_v3(between(seed, -.25 * n[0], 1.25 * n[0]), between(seed, -6, 1), between(seed, -.5, 1.3 * n[1]));
@@ -245,7 +245,7 @@ static void table(void **state) {
       wrong += c.wrong, few += five <= 3 && c.right * 100 < 95 * seeds;
     }
   assert_int_equal(wrong, 0);
-  assert_int_equal(few, 0); /* few: number of table cells with too few right fits */
+  assert_int_equal(few, 0); /* few: number of the table's cells that have too few right fits */
 }
 
 int main(void) {

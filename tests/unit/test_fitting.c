@@ -19,8 +19,8 @@ static void near(double a, double b, double off) {
   if (!(fabs(a - b) <= off)) fail_msg("%.12g is not %.12g, give or take %g", a, b, off);
 }
 
-/* Tests the loss functions. The slope must be the derivative of the loss's square root, and weight times residual the
- * derivative of the loss. */
+/* Tests the loss functions. The slope must be the derivative of the square root of the loss. Weight times residual must
+ * be the derivative of the loss. */
 static void losses(void **state) {
   (void)state;
   for (int loss = VS_LOSS_HUBER; loss <= VS_LOSS_TUKEY; loss++)
@@ -42,7 +42,8 @@ static void losses(void **state) {
 
 static vs_rigid_motion some_motion(void) {
   vs_rigid_motion m = { .size = 2, .centre = { 1, 2, 3 }, .to = { -4, 5, 6 } };
-  m.turn[0][1] = 1, m.turn[1][2] = 1, m.turn[2][0] = 1; /* a rotation that maps x to z, y to x, z to y */
+  m.turn[0][1] = 1, m.turn[1][2] = 1, m.turn[2][0] = 1; /* a rotation that permutes the axes: it maps x to z, y to x, z
+                                                         * to y */
   return m;
 }
 
@@ -118,8 +119,8 @@ static void ignore(void *context, unsigned iteration, double spread) { (void)con
 
 enum { POINTS = 1500 };
 
-/* Computes points on the first `faces` sides of a box that has been moved; before the motion, the sixth side has z = 0.
- * The last `far` points are scattered far outside the box. */
+/* Computes points on the first `faces` sides of a box, and applies a rigid motion to them. Before the motion, the sixth
+ * side has z = 0. The last `far` points are scattered far outside the box. */
 static void scan_box(const double side[3], int faces, size_t far, vs_vec3 *out) {
   vs_rigid_motion m = some_motion();
   const double unknowns[VS_RIGID_UNKNOWNS] = { .4, .3, -.5 };
@@ -152,7 +153,8 @@ static vs_fit_problem problem_of(const vs_fit_model *model, const vs_vec3 *point
                            .confidence = .95 };
 }
 
-/* Compares the fitted sides with the true sides in any order, because a box that lies on its side is also a box. */
+/* Compares the fitted lengths of the box's sides with the true lengths in any order, because the box may be fitted
+ * lying on another side. */
 static void expect_sides(const vs_model_fit *f, double off) {
   for (int k = 0; k < 3; k++) {
     double best = INFINITY;
@@ -175,8 +177,8 @@ static void fits(void **state) {
   expect_sides(&f, 1e-3);
   assert_int_equal(f.models, b.made);
   vs_model_fit_free(&f);
-  scan_box(truth, 6, POINTS / 10, points); /* all six sides of the box have points, but a tenth of the points lie far
-                                            * outside */
+  scan_box(truth, 6, POINTS / 10, points); /* points on all six sides of the box, except a tenth of the points, which
+                                            * are far outside */
   assert_true(vs_model_fit_solve(&p, &f, &e));
   expect_sides(&f, 5e-3);
   assert_true(f.outliers >= POINTS / 12 && f.outliers <= POINTS / 8);
@@ -193,8 +195,8 @@ static double normal_number(uint64_t *seed) {
   return sqrt(-2 * log(u[0])) * cos(2 * 3.14159265358979323846 * u[1]);
 }
 
-/* Tests the confidence intervals of the fitted sides. Of 90 intervals of 95 %, about 85 must contain the true side,
- * with a standard deviation of 2. Their width must correspond to the actual errors. */
+/* Tests the confidence intervals of the fitted sides of boxes. Of 90 intervals of 95 %, about 85 must contain the true
+ * length, with a standard deviation of 2. The width of the intervals must correspond to the actual errors. */
 static void intervals(void **state) {
   (void)state;
   enum { SCANS = 30 };
@@ -232,7 +234,7 @@ static void intervals(void **state) {
   near(sqrt(widths / squares), 1, .2);
 }
 
-/* If a side of the box has no points, it could be anywhere further out, so the fit must report it. */
+/* If a side of the box has no points, its position is unknown, so the fit must report a doubt. */
 static void open_boxes(void **state) {
   (void)state;
   static vs_vec3 points[POINTS];
@@ -255,7 +257,7 @@ static void open_boxes(void **state) {
   vs_model_fit_free(&f);
 }
 
-/* If no model can be built for a trial value of the parameters, the fit continues. */
+/* If the model cannot be built for a trial value of its parameters, the fit must continue. */
 static void refused_models(void **state) {
   (void)state;
   static vs_vec3 points[POINTS];
@@ -326,7 +328,8 @@ static void clouds(void **state) {
   }
 }
 
-/* Samples of a mesh lie on it, and their number on each face is proportional to the face's area. */
+/* Random points that are sampled on a mesh lie on the mesh, and the number on each face is proportional to the face's
+ * area. */
 static void samples(void **state) {
   (void)state;
   static const char text[] = "OFF\n4 2 0\n0 0 0\n3 0 0\n0 1 0\n0 -3 0\n3 0 1 2\n3 0 3 1\n";
@@ -342,7 +345,8 @@ static void samples(void **state) {
     near(scan.samples[i].z, 0, 1e-12);
     above += scan.samples[i].y > 0;
   }
-  near((double)above, 1000, 2); /* the upper faces' area is 1.5, the lower faces' 4.5: a quarter of 4,000 samples */
+  near((double)above, 1000, 2); /* the upper faces have the area 1.5 and the lower faces 4.5, so a quarter of 4,000
+                                 * points are expected above */
   vs_scan_points_free(&scan);
 }
 

@@ -1,5 +1,5 @@
-/* Tests kerning. For a font that has both tables, kerning from the table GPOS must equal FreeType's kerning from the
- * table kern. With damaged bytes, the reader must not read outside the table. */
+/* Tests kerning. For a font that has the tables GPOS and kern, kerning from GPOS must equal FreeType's kerning from
+ * kern. With damaged bytes, the reader must not read outside the table. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

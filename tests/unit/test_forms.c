@@ -28,7 +28,7 @@ static const char shapes[] = "(define-syntax shape (syntax-rules () ((_ name obj
 static const char others[] = " hull load-mesh unite intersect subtract cylinder-from-to scale rotate translate ";
 static const char values[] = " make-axis make-plane make-matrix make-material ";
 
-static const vs_bind_columns *real; /* the interpreter's own table of procedures */
+static const vs_bind_columns *real; /* the table of procedures of the interpreter under test */
 static struct { bool form[VS_MAX_FORMS], argument[VS_MAX_FORMS][VS_MAX_ARGUMENTS], key[VS_MAX_KEYS]; } seen[ROWS];
 
 static vs_status record(vs_args *f, vs_value *out) {
@@ -57,7 +57,7 @@ vs_status __wrap_vs_bind_call(vs_scheme *vm, const vs_bind_columns *table, vs_va
   return __real_vs_bind_call(vm, &recorded, a, n, out);
 }
 
-/* Returns true if one of the names, separated by spaces, belongs to a constructor of objects. */
+/* Returns true if one of the space-separated names belongs to a constructor of objects. */
 static bool makes_objects(const char *names) {
   char word[64];
   for (const char *at = names; *at; at += strspn(at, " ")) {

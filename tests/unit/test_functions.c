@@ -1,6 +1,6 @@
-/* Tests tapes, the compiled form of a function. Checks the effect of adding a step, batches against single values,
- * slopes against difference quotients, and bounds against sampled values. Also tests contours, which must be closed
- * manifolds for every function and every merging of cells. */
+/* Tests tapes, the compiled form of a function: a list of steps. Compares evaluation of many points at a time with
+ * single points, slopes with difference quotients, and bounds with sampled values. Also tests contours, which must be
+ * closed manifolds for every function and every size of cells. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -17,7 +17,8 @@
 #include "geometry/functions/formula_text.h"
 #include "geometry/functions/sampling.h"
 
-static double drawn(uint64_t *seed, double a, double b) { /* returns a number by xorshift, the same in every run */
+static double drawn(uint64_t *seed, double a, double b) { /* returns a random number from a to b by xorshift, equal in
+                                                           * every run */
   *seed ^= *seed << 13;
   *seed ^= *seed >> 7;
   *seed ^= *seed << 17;
@@ -38,7 +39,7 @@ static void steps_are_kept_once(void **state) {
   assert_int_equal(add(t, VS_TAPE_MUL, x, one), x);
   assert_int_equal(add(t, VS_TAPE_MUL, x, x), add(t, VS_TAPE_SQUARE, x, 0));
   assert_int_equal(add(t, VS_TAPE_ADD, one, one), vs_tape_constant(t, 2));
-  assert_int_equal(add(t, VS_TAPE_ADD, x, 1000), UINT32_MAX); /* a step that uses a failed step fails too */
+  assert_int_equal(add(t, VS_TAPE_ADD, x, 1000), UINT32_MAX); /* a step whose operand is a failed step fails too */
   size_t before = t->count;
   t->outputs = 1, t->output[0] = add(t, VS_TAPE_SIN, x, 0);
   vs_tape *c = vs_tape_compact(t);
@@ -91,16 +92,16 @@ static void batches_give_what_single_points_give(void **state) {
   for (int i = 0; i < POINTS; i++)
     for (int k = 0; k < 3; k++) in[k][i] = drawn(&seed, -1, 1);
   vs_sampler *values = vs_sampler_new(t, 0), *slopes = vs_sampler_new(t, 3);
-  for (int run = 0; run < 2; run++) /* runs the batch twice: values left in memory by the first run must not affect the
-                                     * second */
+  for (int run = 0; run < 2; run++) /* evaluates the tape twice: values that the first run left in memory must not
+                                     * affect the second */
     vs_sample(values, (const double *const[]){ in[0], in[1], in[2] }, POINTS, (double *const[]){ out });
   vs_sample_slopes(slopes, (const double *const[]){ in[0], in[1], in[2] }, POINTS, (double *const[]){ again },
                    (double *const[]){ slope[0], slope[1], slope[2] });
   for (int i = 0; i < POINTS; i++) {
     double at[3] = { in[0][i], in[1][i], in[2][i] }, v = value_at(t, at);
     assert_true(fabs(out[i] - v) <= 1e-13 * fabs(v) && out[i] == again[i]);
-    if (fabs(at[0] - at[1]) < 1e-3) continue; /* near here, the condition of the tape's choice between two values
-                                               * changes */
+    if (fabs(at[0] - at[1]) < 1e-3) continue; /* skips points near the place where the tape's choice between two values
+                                               * changes, since the slope jumps there */
     for (int k = 0; k < 3; k++) {
       double up[3] = { at[0], at[1], at[2] }, down[3] = { at[0], at[1], at[2] }, h = 1e-5;
       up[k] += h, down[k] -= h;
@@ -146,7 +147,7 @@ static void ranges_walk_through_grids(void **state) {
       assert_true(fabs(in[1][k] - (5 + 2. * (at % 500) / 499)) < 1e-14);
     }
   }
-  assert_true(in[1][99] == 7); /* the last value of the range is exact */
+  assert_true(in[1][99] == 7); /* the last sample is exactly the end of the range */
 }
 
 /* ---- contours ---- */
@@ -167,7 +168,7 @@ static const side *find_side(const side *s, size_t n, uint32_t from, uint32_t to
 }
 
 /* Checks that each edge belongs to two triangles in opposite directions, and that the triangles of a vertex form a
- * single fan. Returns the volume. */
+ * single fan. Returns the enclosed volume. */
 static double check_manifold(const vs_contour *c) {
   size_t n = 3 * c->triangle_count;
   side *s = malloc((n + 1) * sizeof *s);
@@ -284,7 +285,8 @@ static void flat_sides_are_few_triangles(void **state) {
   vs_contour c = { 0 };
   assert_int_equal(vs_contour_make(t, &(vs_contour_grid){ vs_v3(-1, -1, -1), vs_v3(1, 1, 1), 128, 0 }, (vs_long_work){ go_on, NULL }, &c), VS_CONTOUR_DONE);
   assert_true(fabs(check_manifold(&c) - 8 * .7 * .61 * .53) < 1e-6);
-  assert_true(c.triangle_count < 40); /* cells of equal size would make about 90,000 triangles */
+  assert_true(c.triangle_count < 40); /* large cells are merged; cells of equal size would make about 90,000
+                                       * triangles */
   vs_contour_free(&c), vs_tape_free(t);
 }
 

@@ -17,14 +17,14 @@
 #include "tests/unit/allocator.h"
 #include "tests/unit/skip.h"
 
-static size_t fail_at, held; /* fail_at: 1 + number of requests until one fails; 0: none fails. held: number of blocks
-                              * in use, counted only while fail_at is not 0 */
+static size_t fail_at, held; /* fail_at: 1 + number of allocations until one fails; 0: none fails. held: number of
+                              * allocated blocks, counted only while fail_at is not 0 */
 
 #if REPLACED
 static bool refused(void) {
   if (!fail_at) return false;
   if (fail_at > 1) return fail_at--, held++, false;
-  return true; /* this request and all later requests fail */
+  return true; /* this allocation fails, and so do all later allocations */
 }
 void *malloc(size_t n) { return refused() ? NULL : __libc_malloc(n); }
 void *calloc(size_t n, size_t size) { return refused() ? NULL : __libc_calloc(n, size); }
@@ -157,7 +157,8 @@ static void making_a_skeleton_fails_in_turn(void **state) {
   assert_true(tries > 20);
 }
 
-/* CHOLMOD, which is loaded when it is needed, takes its memory from the C library itself; ours fails. */
+/* Refuses allocations while a structure is solved. CHOLMOD, a library that is loaded on demand, allocates from the C
+ * library directly, so only the allocations of geometry/ fail. */
 static void solving_a_structure_fails_in_turn(void **state) {
   (void)state;
   if (!REPLACED) SKIP_TEST("a sanitizer has replaced the allocator");

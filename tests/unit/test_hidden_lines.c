@@ -42,7 +42,7 @@ static vs_sight sight_of(const model *m, bool perspective) {
 
 typedef struct { size_t pieces; double seen, hidden; } result;
 
-/* Returns the lengths of visible and hidden edges in the picture. own: edges to test; NULL: the model's edges. */
+/* Returns the lengths of visible and hidden edges in the picture. own: edges to test, or NULL for the model's edges. */
 static result look(const model *m, bool perspective, const vs_sight_edges *own) {
   vs_store *store = vs_store_new(NULL, NULL);
   vs_sight_host host = { store, NULL };
@@ -78,7 +78,7 @@ static result look_at_line(const model *m, bool perspective, vs_vec3 p, vs_vec3 
   return look(m, perspective, &(vs_sight_edges){ &edge, 1, 1 });
 }
 
-/* An isometric view: rotates the cube so that its diagonal is parallel to the direction of view. */
+/* Rotation for an isometric view: a diagonal of the cube is parallel to the direction of view. */
 static const double isometric[3][3] = { { 0.70710678118654752, 0, -0.70710678118654752 },
                                         { 0.40824829046386302, 0.81649658092772603, 0.40824829046386302 },
                                         { -0.57735026918962576, 0.57735026918962576, -0.57735026918962576 } };
@@ -89,8 +89,8 @@ static void a_cube_in_isometric_has_nine_edges(void **state) {
   add_box(&m, vs_v3(0, 0, 0), vs_v3(2, 2, 2), isometric);
   result r = look(&m, false, NULL);
   assert_int_equal(r.pieces, 9);
-  assert_true(fabs(r.seen - 9 * 2 * sqrt(2. / 3)) < 1e-9); /* nine edges are visible; the three hidden edges end at the
-                                                            * corner behind the nearest corner */
+  assert_true(fabs(r.seen - 9 * 2 * sqrt(2. / 3)) < 1e-9); /* nine edges of the cube are visible; the three hidden edges
+                                                            * end at the corner behind the nearest corner */
 }
 
 static void a_box_seen_from_the_front_is_a_rectangle(void **state) {
@@ -98,8 +98,8 @@ static void a_box_seen_from_the_front_is_a_rectangle(void **state) {
   model m = { .point_count = 0 };
   add_box(&m, vs_v3(1, 2, 3), vs_v3(4, 4, 9), NULL);
   result r = look(&m, false, NULL);
-  assert_true(fabs(r.seen - 10) < 1e-9); /* the back face's edges lie behind the front face's edges; edges parallel to
-                                          * the view appear as points */
+  assert_true(fabs(r.seen - 10) < 1e-9); /* the back face's edges are hidden by the front face; edges parallel to the
+                                          * view appear as points, of length 0 */
 }
 
 static void a_box_behind_a_box(void **state) {
@@ -113,7 +113,7 @@ static void a_box_behind_a_box(void **state) {
                                           * hides the other */
   add_box(&touching, vs_v3(0, 0, 0), vs_v3(4, 4, 1), NULL);
   add_box(&touching, vs_v3(4, 0, 0), vs_v3(6, 4, 1), NULL);
-  /* the front faces have an edge of length 4 in common, which counts once */
+  /* the two front faces have an edge of length 4 in common, whose length counts once */
   assert_true(fabs(look(&touching, false, NULL).seen - (16 + 12 - 4)) < 1e-9);
 }
 
@@ -144,8 +144,8 @@ static void in_perspective(void **state) {
   (void)state;
   model m = { .point_count = 0 };
   add_box(&m, vs_v3(-1, -1, 4), vs_v3(1, 1, 6), NULL);
-  result r = look(&m, true, NULL); /* the front face's half width in the picture is 1/4; that of the back face, behind
-                                    * it, is 1/6 */
+  result r = look(&m, true, NULL); /* in the picture, half the front face's width is 1/4; half the back face's width is
+                                    * 1/6, so the front face hides it */
   assert_true(fabs(r.seen - 8 * 0.25) < 1e-9);
   r = look_at_line(&m, true, vs_v3(-4, 0, 8), vs_v3(4, 0, 8)); /* in the picture, the line goes from -1/2 to 1/2; the
                                                                 * box hides it from -1/4 to 1/4 */
@@ -166,15 +166,16 @@ static void faces_seen_edge_on_hide_nothing(void **state) {
   assert_true(fabs(look(&m, false, NULL).seen - 8) < 1e-5);
 }
 
-/* Tests a row of boxes, each of which hides the next. Time and memory must not grow too fast, and only the first box
- * and the edges that project beyond it are visible. */
+/* Tests a row of boxes, each of which hides the next. Time and memory must not grow too fast. Only the first box and
+ * the edges that project beyond it are visible. */
 static void many_boxes(void **state) {
   (void)state;
   model m = { .point_count = 0 };
   for (int i = 0; i < 300; i++) add_box(&m, vs_v3(0, 0, 2 * i), vs_v3(4 + 0.001 * i, 4, 2 * i + 1), NULL);
   result r = look(&m, false, NULL);
-  assert_true(fabs(r.seen - (16 + 299 * (4 + 0.001 * 2))) < 1e-6); /* of each later box, the right edge is visible, and
-                                                                    * 0.001 of each of the two edges at its ends */
+  assert_true(fabs(r.seen - (16 + 299 * (4 + 0.001 * 2))) < 1e-6); /* of each of the 299 later boxes, the right edge of
+                                                                    * length 4 is visible, and 0.001 of each of the two
+                                                                    * edges at its ends */
 }
 
 static void stopping_and_failing(void **state) {
@@ -197,8 +198,7 @@ static void stopping_and_failing(void **state) {
   assert_int_equal(e.kind, VS_ERROR_INTERRUPT);
   host.job = NULL;
   vs_sight_pieces_free(&host, &pieces);
-  for (size_t n = 1; n < 12; n++) { /* refuses the n-th request for memory: the result is an error, and no memory is
-                                     * lost */
+  for (size_t n = 1; n < 12; n++) { /* refuses the n-th allocation: the result is an error, and no memory is lost */
     vs_store_fail_at(store, n);
     if (!vs_sight_find_visible(&host, &s, &edges, false, &pieces, &e)) assert_int_equal(e.kind, VS_ERROR_MEMORY);
     vs_store_fail_at(store, 0);

@@ -1,6 +1,6 @@
 /* Tests that every pass over a drawing takes linear time and can be interrupted. The drawings are a chain, a comb and a
- * fan of a million nodes (LONG=1; otherwise fewer). Each row of passes.def runs alone, then all of them together. The
- * test measures processor time, since the machine may be busy. */
+ * fan of a million nodes (LONG=1; otherwise fewer). Each pass of passes.def runs alone, then all passes run together.
+ * The test measures processor time, since the machine may be busy. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -95,7 +95,8 @@ enum { TREES = sizeof trees / sizeof *trees };
 
 /* ---- running ---- */
 
-/* gap: longest time between two polls for an interrupt, in seconds. until: time after which the poll interrupts */
+/* gap: longest time between two polls for an interrupt, in seconds. until: time in seconds after which the poll reports
+ * an interrupt */
 typedef struct { double last, gap, until; size_t asked; } listener;
 
 static bool going(void *context, const char *stage, double done) {
@@ -108,8 +109,8 @@ static bool going(void *context, const char *stage, double done) {
   return at < l->until;
 }
 
-/* Runs passes over the tree. *seconds: processor time of the passes and of freeing the tree. stop_after: seconds after
- * which the poll interrupts. */
+/* Runs the passes over the tree. *seconds: processor time of the passes and of freeing the tree. stop_after: seconds
+ * after which a poll reports an interrupt. */
 static vs_error_kind run(size_t tree, size_t n, unsigned passes, listener *l, double *seconds, double stop_after) {
   vs_store *s = vs_store_new(NULL, NULL);
   vs_node *root = trees[tree].make(s, n);
@@ -128,7 +129,7 @@ static vs_error_kind run(size_t tree, size_t n, unsigned passes, listener *l, do
   return ok ? VS_ERROR_NONE : e.kind;
 }
 
-/* Greatest processor seconds allowed between two polls, and from an interrupt to the end of freeing the tree. */
+/* Longest processor time allowed between two polls, and from an interrupt until the tree is freed; in seconds. */
 #define SILENT 0.3
 
 static void every_pass(void **state) {
@@ -144,7 +145,8 @@ static void every_pass(void **state) {
       assert_int_equal(run(t, n / 4, passes, &l, &small, 1e9), VS_ERROR_NONE);
       assert_int_equal(run(t, n, passes, &l, &large, 1e9), VS_ERROR_NONE);
       if (getenv("SHOW")) print_message("%-8s %-16s %.3f -> %.3f s, silent for %.3f\n", name, trees[t].name, small, large, l.gap);
-      /* `large` is the time for four times as many nodes as `small`: quadratic time would be sixteen times as long */
+      /* `large` is the time for four times as many nodes as `small`. Linear time makes it 4 times `small`, quadratic
+       * time 16 times; 12 is allowed */
       if (large > 0.1 + 12 * small) fail_msg("%s of a %s: %.3f s, and %.3f s of four times as many nodes", name, trees[t].name, small, large);
       if (l.gap > SILENT) fail_msg("%s of a %s does not ask for %.3f s", name, trees[t].name, l.gap);
       vs_error_kind kind = run(t, n, passes, &l, &stopped, large / 2);

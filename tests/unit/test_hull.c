@@ -1,5 +1,5 @@
-/* Tests convex hulls and height fields: closed, convex, containing every point, and with the volume by
- * formula. */
+/* Tests convex hulls and height fields. They must be closed and have the volume that a formula gives. A hull must also
+ * be convex and contain every point. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -11,15 +11,15 @@
 #include "geometry/shapes/hull.h"
 #include "geometry/measure/node_measures.h"
 
-static double drawn(uint64_t *seed) { /* returns a number by xorshift, the same in every run */
+static double drawn(uint64_t *seed) { /* returns a random number by xorshift, equal in every run */
   *seed ^= *seed << 13;
   *seed ^= *seed >> 7;
   *seed ^= *seed << 17;
   return (double)(*seed >> 11) / 9007199254740992.0;
 }
 
-/* Checks that the hull is closed and connected, and that no point is outside it by more than a step of the grid.
- * Returns the volume. */
+/* Checks that the hull is closed and connected, and that no point is outside it by more than a step of the kernel's
+ * grid. Returns the volume. */
 static double check_hull(vs_cloud *c) {
   vs_mesh m = { 0 };
   assert_int_equal(vs_cloud_dimension(c), 3);
@@ -30,8 +30,8 @@ static double check_hull(vs_cloud *c) {
   double size = vs_bounds_diagonal(&b), volume = vs_mesh_volume(&m);
   for (size_t t = 0; t < m.triangle_count && c->count < 3000; t++) {
     vs_vec3 a = m.vertices[m.triangles[t][0]], u = vs_v3_sub(m.vertices[m.triangles[t][1]], a), v = vs_v3_sub(m.vertices[m.triangles[t][2]], a), n = vs_v3_cross(u, v);
-    for (size_t i = 0; i < c->count; i++) /* compares distance times twice the triangle's area, because the plane of a
-                                           * thin triangle is less exact */
+    for (size_t i = 0; i < c->count; i++) /* multiplies the distance by twice the triangle's area, because the plane of
+                                           * a thin triangle is less exact */
       if (vs_v3_dot(n, vs_v3_sub(c->at[i], a)) > 1e-11 * size * size * size) fail_msg("point %zu lies outside face %zu", i, t);
   }
   vs_mesh_free(&m);
@@ -42,8 +42,8 @@ static double check_hull(vs_cloud *c) {
 static void hulls_of_points(void **state) {
   (void)state;
   uint64_t seed = 88172645463325252u;
-  for (int round = 0; round < 200; round++) { /* points in a box, on a ball, or on a coarse lattice (where many points
-                                               * are coplanar); all are rotated, and far from the origin */
+  for (int round = 0; round < 200; round++) { /* random points in a box, on a ball, or on a coarse lattice (where many
+                                               * points are coplanar); all are rotated, and far from the origin */
     vs_cloud c = { 0 };
     int kind = round % 4, n = 4 + (int)(drawn(&seed) * (round < 190 ? 60 : 2000));
     vs_affine turn = vs_affine_rotation(vs_v3(1, 2, 3), vs_v3(drawn(&seed), 1, drawn(&seed)), drawn(&seed) * 6);
@@ -54,7 +54,7 @@ static void hulls_of_points(void **state) {
       if (kind == 3) p = vs_affine_point(&turn, vs_v3_scale(p, 1e6));
       assert_true(vs_cloud_add(&c, p));
     }
-    for (int i = 0; i < 4; i++) assert_true(vs_cloud_add(&c, c.at[i])); /* adds some points a second time */
+    for (int i = 0; i < 4; i++) assert_true(vs_cloud_add(&c, c.at[i])); /* adds four of the points a second time */
     if (vs_cloud_dimension(&c) == 3) check_hull(&c);
     else vs_cloud_free(&c);
   }

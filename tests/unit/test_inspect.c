@@ -15,8 +15,8 @@
 #include "tests/oracle/sx.c"
 #include "tests/tools/crossings.h"
 
-/* Joins the solids of the .sx text into a single mesh, each at its place. From solid number `turned` on, they are
- * inside out. */
+/* Joins the solids of the .sx text into a single mesh, each solid at its own place. The solids from number `turned` on
+ * are inside out. */
 static void join(vs_mesh *m, const char *text, uint32_t turned) {
   sx_problem p;
   assert_true(sx_parse(text, &p));
@@ -79,8 +79,8 @@ static void test_wound(void **state) {
     assert_true(at.x >= 1 && at.y >= 1 && at.z >= 1 && at.x <= 2 && at.y <= 2 && at.z <= 2);
     assert_int_equal(f.wound[i].winding, 2);
   }
-  f = inspect("(union (box 2 2 2) (box 2 2 2))", 9, 8); /* the same box twice: no faces cross, but the mesh is not a
-                                                         * solid */
+  f = inspect("(union (box 2 2 2) (box 2 2 2))", 9, 8); /* two equal boxes at one place: no faces cross, but the mesh is
+                                                         * not a solid */
   assert_int_equal(f.most, 2);
   assert_true(f.wound_count > 0);
   f = inspect("(union (box 3 3 3) (translate 1 1 1 (box 1 1 1)))", 9, 27);
@@ -90,8 +90,8 @@ static void test_wound(void **state) {
   assert_int_equal(f.least, -1);
   assert_int_equal(f.wound_count, 6);
   assert_true(f.volume < 0);
-  f = inspect("(union (box 2 2 2) (translate 5 0 0 (box 1 1 1)))", 1, 8); /* a box that is inside out, and lies outside
-                                                                           * the other box */
+  f = inspect("(union (box 2 2 2) (translate 5 0 0 (box 1 1 1)))", 1, 8); /* the second box is inside out, and lies
+                                                                           * outside the first box */
   assert_int_equal(f.least, -1);
   assert_int_equal(f.wound_count, 6);
   f = inspect("(union (rotate 12 34 56 (sphere 2 32)) (translate 1.5 0 0 (sphere 1 32)))", 9, -1);
@@ -126,9 +126,9 @@ static void test_open(void **state) {
 
 static bool count_polls(void *context, const char *stage, double done) { return (void)stage, (void)done, ++*(size_t *)context, true; }
 
-/* Returns the number of polls while boxes are sorted into storeys (levels of nesting). The boxes form a stair with very
- * many storeys, or lie at the same place with six storeys. Both arrangements have equally many triangles, so the polls
- * differ only by the sorting. The faces of each side are consecutive. */
+/* Returns the number of polls for an interrupt while boxes are sorted by their level of nesting (storey). The boxes
+ * form a stair with very many storeys, or lie at one place with six storeys. The two arrangements have equally many
+ * triangles, so the polls differ only by the sorting. The faces of each side are consecutive. */
 static size_t polls_of_stair(size_t boxes, double step) {
   vs_mesh m = { 0 };
   size_t polls = 0;
@@ -152,7 +152,7 @@ static size_t polls_of_stair(size_t boxes, double step) {
   return polls;
 }
 
-/* Sorting shells into storeys (levels of nesting) polls for an interrupt: with more storeys, it polls more often. */
+/* Sorting shells by their level of nesting (storey) polls for an interrupt: with more storeys, it polls more often. */
 static void test_storeys_are_interrupted(void **state) {
   (void)state;
   size_t few = polls_of_stair(40000, 0), many = polls_of_stair(40000, 3);
@@ -179,7 +179,7 @@ static void test_settle(void **state) {
   }
   double pulled = vs_mesh_volume(&m);
   assert_true(vs_mesh_round(&m, VS_NUMBERS_DIGITS, NULL, &s, NULL));
-  assert_int_equal(s.collapsed, 0); /* in 12 digits the moved vertices are still different */
+  assert_int_equal(s.collapsed, 0); /* with 12 digits, the moved vertices still differ from their neighbours */
   assert_true(vs_mesh_round(&m, VS_NUMBERS_SINGLE, NULL, &s, NULL));
   assert_int_equal(s.collapsed, 5);
   assert_int_equal(m.triangle_count, triangles - 2 * s.collapsed);
@@ -196,8 +196,8 @@ static void test_settle(void **state) {
   vs_mesh_free(&m);
 }
 
-/* Tests two rotated cubes with a gap between them that 32-bit numbers cannot represent. The cubes are shifted along the
- * gap, so no triangle is thin, but in 32 bits they intersect. */
+/* Tests two rotated cubes with a gap that 32-bit numbers cannot represent. The cubes are shifted along the gap, so no
+ * triangle is thin, but after rounding to 32 bits the cubes intersect. */
 static void test_between(void **state) {
   (void)state;
   static const double gaps[] = { 1e-9, 1e-3 };
@@ -220,9 +220,9 @@ static void test_between(void **state) {
   }
 }
 
-/* Tests a bent bar whose two ends nearly meet, with a gap below the precision. Along the surface, the ends are far from
- * each other. If the bar is rotated, rounding makes the ends intersect. If it is parallel to the axes, they intersect
- * only if both ends are rounded to the same plane. */
+/* Tests a bent bar whose two ends nearly touch, with a gap below the file format's precision. Along the surface, the
+ * ends are far from each other. If the bar is rotated, rounding makes the ends intersect. If it is parallel to the
+ * axes, they intersect only if both ends are rounded to one plane. */
 static void test_ends(void **state) {
   (void)state;
   static const char ring[] = "(union (box 5 1 1) (box 1 1 5) (translate 0 0 4 (box 5 1 1)) (translate 4 0 0 (box 1 1 2)) (translate 4.31 0.23 2.5 (box 0.5 0.5 2)))";
@@ -250,10 +250,10 @@ static void test_ends(void **state) {
   }
 }
 
-/* Makes two cones, base to base, on a ring of `steps` steps; each step is a seventh of a turn. Returns the number of
- * triangles that intersect. With `turns` 2 the ring goes round twice: its second turn begins further out than the first
- * and ends further in. Seen from the centre, all triangles face outwards. The triangles of step `first` come first in
- * the mesh. The ring is closed or open. */
+/* Makes two cones, base to base, on a ring of `steps` steps; each step is a seventh of a turn. With `turns` 2 the ring
+ * goes round twice: its second turn begins further out than the first and ends further in. Seen from the centre, all
+ * triangles face outwards. The triangles of step `first` come first in the mesh. `closed` joins the ring's ends.
+ * Returns the number of triangles that intersect. */
 static size_t met_by_turns(int turns, int steps, int first, bool closed) {
   vs_mesh m = { 0 };
   vs_rounded s;
@@ -266,7 +266,7 @@ static size_t met_by_turns(int turns, int steps, int first, bool closed) {
     uint32_t k = 2 + (uint32_t)((i + first) % steps), next = closed && k == (uint32_t)steps + 1 ? 2 : k + 1;
     assert_true(vs_mesh_add_triangle(&m, k, next, 1) && vs_mesh_add_triangle(&m, next, k, 0));
   }
-  if (closed) m.vertex_count--; /* in a closed ring, the last vertex is the first */
+  if (closed) m.vertex_count--; /* in a closed ring, the last vertex equals the first and is not stored */
   assert_true(vs_mesh_round(&m, VS_NUMBERS_SINGLE, NULL, &s, NULL));
   vs_mesh_free(&m);
   return s.met;
@@ -276,8 +276,8 @@ static size_t met_by(const char *parts, double pull) {
   vs_mesh m = { 0 };
   vs_rounded s;
   join(&m, parts, 9);
-  m.vertices[0] = vs_v3_scale(m.vertices[0], 1 - pull); /* moves a vertex of a ball about the origin towards the
-                                                         * opposite side; with pull above 1, past the centre */
+  m.vertices[0] = vs_v3_scale(m.vertices[0], 1 - pull); /* moves a vertex of a ball around the origin towards the
+                                                         * opposite side; a `pull` above 1 moves it past the centre */
   assert_true(vs_mesh_round(&m, VS_NUMBERS_SINGLE, NULL, &s, NULL));
   vs_mesh_free(&m);
   return s.met;
@@ -293,15 +293,15 @@ static void test_stars(void **state) {
   assert_true(met_by_turns(2, 11, 5, false) > 0);  /* an open ring: a ray from the centre in the direction of its first
                                                     * triangle intersects it once */
   assert_int_equal(met_by("(sphere 2 32)", 0), 0);
-  assert_int_equal(met_by("(sphere 2 32)", 0.7), 0); /* a dent: the mesh is no longer star-shaped, but has no
-                                                      * self-intersections */
+  assert_int_equal(met_by("(sphere 2 32)", 0.7), 0); /* a vertex that is pulled inwards makes a dent: the mesh is no
+                                                      * longer star-shaped, but has no self-intersections */
   assert_true(met_by("(sphere 2 32)", 2.5) > 0);
   assert_int_equal(met_by("(union (sphere 2 32) (translate 9 0 0 (sphere 2 16)))", 0), 0);
   assert_true(met_by("(union (sphere 2 32) (translate 3 0 0 (sphere 2 16)))", 0) > 0);
 }
 
-/* If the test in doubles reports two triangles as disjoint, they must be disjoint. Compares random triangles, with
- * vertices at and near few points, with exact signs. */
+/* Tests the fast test of two triangles, which computes in doubles. If it reports the triangles as disjoint, they must
+ * be disjoint by exact signs. The random triangles have vertices at and near few points. */
 static void test_apart(void **state) {
   (void)state;
   uint64_t seed = 88172645463325252u;
@@ -328,9 +328,10 @@ static void test_apart(void **state) {
     met += faults > 0;
     missed += !apart && faults == 0;
   }
-  assert_true(said > 40000 && met > 40000); /* the random triangles are often disjoint, and often intersect */
-  assert_true(missed * 5 < said);           /* the test in doubles rarely fails to recognize disjoint triangles,
-                                             * although many triangles touch */
+  assert_true(said > 40000 && met > 40000); /* the fast test often reports disjoint triangles, and the random triangles
+                                             * often intersect */
+  assert_true(missed * 5 < said);           /* the fast test rarely fails to recognize disjoint triangles, although many
+                                             * triangles touch */
   /* two triangles with one common vertex, on opposite sides of it, as at the centre of a torus without a hole */
   const vs_vec3 opposed[6] = { { 0, 0, 0 }, { 3, 1, 1 }, { 3, -1, 1 }, { 0, 0, 0 }, { -3, -1, -1 }, { -3, 1, -1 } };
   int shared;

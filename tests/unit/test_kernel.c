@@ -1,5 +1,5 @@
-/* Tests the mesh kernel: boolean operations against another implementation in rational numbers; degenerate cases, errors
- * and limits. */
+/* Tests the mesh kernel: boolean operations, compared with another implementation in rational numbers; degenerate
+ * cases, errors and limits. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -90,8 +90,8 @@ static void test_against_oracle(void **state) {
       leaves[i] = (vs_kernel_leaf){ &meshes[i], vs_affine_identity(), i, false };
       terms[i] = (vs_kernel_term){ VS_TERM_LEAF, i, 0 };
     }
-    for (int i = 0; i < 4; i++) { /* each operation has as operands two or three terms that were made before it; the
-                                   * last operation is the root */
+    for (int i = 0; i < 4; i++) { /* each operation combines two or three earlier terms; the last operation is the
+                                   * root */
       uint32_t n = (uint32_t)span(2, 3);
       terms[term] = (vs_kernel_term){ (vs_term_kind)span(1, 3), operand, n };
       for (uint32_t j = 0; j < n; j++) operands[operand++] = j == 0 ? term - 1 : (uint32_t)span(0, (int32_t)term - 1);
@@ -146,9 +146,10 @@ static void check_manifold(const vs_mesh *m) {
     degree[a]++;
   }
   for (size_t i = 0; i < corners; i++)
-    /* each direction of an edge occurs once */
+    /* each edge occurs at most once in each direction */
     for (size_t j = i + 1; j < corners; j++) assert_false(edges[i][0] == edges[j][0] && edges[i][1] == edges[j][1]);
-  for (uint32_t v = 0; v < m->vertex_count; v++) { /* a walk around v visits all of its triangles */
+  for (uint32_t v = 0; v < m->vertex_count; v++) { /* a walk around vertex v from triangle to triangle must visit all of
+                                                    * v's triangles */
     size_t start = corners, at, count = 0;
     for (size_t i = 0; i < corners && start == corners; i++)
       if (edges[i][0] == v) start = i;
@@ -166,18 +167,18 @@ static void check_manifold(const vs_mesh *m) {
   free(edges);
 }
 
-/* Tests 16^3 unit cubes that share faces. They become a box, an L, or two halves with different tags, with the least
- * possible number of triangles and no vertices except the corners. */
+/* Tests 16^3 unit cubes that share faces. Their union is a box, an L, or two halves with different tags. It must have
+ * the least possible number of triangles and no vertices except the corners. */
 static void test_cubes_become_one(void **state) {
   (void)state;
   enum { SIDE = 16, ALL = SIDE * SIDE * SIDE };
   enum { BOX, ELL, HALVES, SHAPES };
   static const struct { double volume; size_t triangles, vertices, tagged[2]; } want[SHAPES] = {
     [BOX] = { 4096, 12, 8, { 12, 0 } },
-    [ELL] = { 3072, 20, 12, { 20, 0 } },      /* an L-shaped prism: each end has 6 corners, thus 4 triangles; each of 6
-                                               * sides has 2 triangles */
-    [HALVES] = { 4096, 20, 12, { 10, 10 } },  /* each half has one end and 4 sides of 2 triangles; the halves' common
-                                               * face is inside the solid */
+    [ELL] = { 3072, 20, 12, { 20, 0 } },      /* an L-shaped prism: each of 2 ends has 6 corners, thus 4 triangles; each
+                                               * of 6 sides has 2 triangles */
+    [HALVES] = { 4096, 20, 12, { 10, 10 } },  /* each half has 10 triangles: 2 for its end, and 2 for each of 4 sides.
+                                               * The halves' common face is inside the solid */
   };
   const vs_affine turns[] = { vs_affine_identity(), vs_affine_rotation(vs_v3(0, 0, 0), vs_v3(0, 0, 1), .5), vs_affine_rotation(vs_v3(.3, -7, 2), vs_v3(1, 2.3, -.7), .6180339) };
   vs_mesh cube = { 0 };
@@ -266,7 +267,8 @@ static void test_identities(void **state) {
   assert_int_equal(triangles, 0);
   double va = volume_of(a, NULL), vb = volume_of(b, NULL);
   snprintf(text, sizeof text, "(union %s %s)", a, a);
-  near(volume_of(text, NULL), va, 1e-7); /* the kernel copies a lone solid, but rounds other solids to the grid */
+  near(volume_of(text, NULL), va, 1e-7); /* the kernel copies a solid that touches no other solid, but rounds solids
+                                          * that it combines to a grid */
   snprintf(text, sizeof text, "(union %s %s)", a, b);
   double both = volume_of(text, NULL);
   snprintf(text, sizeof text, "(intersection %s %s)", a, b);
@@ -277,7 +279,8 @@ static void test_identities(void **state) {
   assert_true(common > 1 && common < vb);
 }
 
-/* Tests a plate of 20 grid steps in a model of 300 units; cavities; a solid that intersects itself. */
+/* Tests a plate as thick as 20 steps of the kernel's grid in a model of 300 units, cavities, and a solid that
+ * intersects itself. */
 static void test_thin_and_nested(void **state) {
   (void)state;
   near(volume_of("(union (cbox 300 300 .0001) (translate 0 0 5 (cbox 1 1 20)))", NULL), 9 + 20 - .0001, 1e-9);
@@ -288,8 +291,9 @@ static void test_thin_and_nested(void **state) {
   near(volume_of("(union (box 1 1 1) (translate 1 1 0 (box 1 1 1)) (translate 1 1 1 (scale -1 -1 -1 (box .5 .5 .5))))", &triangles), 2, 1e-12);
 }
 
-/* Tests two ways to compute a result. If no other leaf touches a large leaf, the kernel copies its triangles. If the
- * leaf occurs twice, the kernel intersects all of its triangles with the others. The results must be equal. */
+/* Tests two ways to compute a result. The kernel copies the triangles of a large operand (leaf) that touches no other
+ * operand. If the operand occurs twice, the kernel intersects all of its triangles with the other operands. The results
+ * must be equal. */
 static void test_plain(void **state) {
   (void)state;
 #define RING "(torus 10 3 32 16)"
@@ -299,7 +303,8 @@ static void test_plain(void **state) {
 #define WITHIN "(rotate 3 2 1 (torus 10 1 32 16))"
 #define LINK "(translate 10 0 0 (rotate 90 0 0 (torus 10 3 32 16)))"
 #define TWICE(x) "(union " x x ")"
-  static const char *const cases[][2] = { /* text of each case with each operand once, then with each operand twice */
+  static const char *const cases[][2] = { /* two texts of each test case: with each operand once, and with each operand
+                                           * twice */
     { "(difference " RING OTHER ")", "(difference " TWICE(RING) TWICE(OTHER) ")" },
     { "(scale -1 1 1 (intersection " RING OTHER "))", "(scale -1 1 1 (intersection " TWICE(RING) TWICE(OTHER) "))" },
     { "(union " RING "(scale -1 1 1 " BALL ") " BALL ")", "(union " TWICE(RING) "(scale -1 1 1 " BALL ") " BALL BALL "(scale -1 1 1 " BALL "))" },
@@ -308,7 +313,7 @@ static void test_plain(void **state) {
     { SPINDLE, TWICE(SPINDLE) },                                                        /* a solid that intersects
                                                                                          * itself */
     { "(difference (box 20 20 3) " SPINDLE ")", "(difference (box 20 20 3) " TWICE(SPINDLE) ")" },
-    /* rings whose surfaces do not intersect */
+    /* two rings, one within the other, whose surfaces do not intersect */
     { "(difference " RING WITHIN ")", "(difference " TWICE(RING) TWICE(WITHIN) ")" },
     { "(difference (scale 1 -1 1 " RING ") " WITHIN ")", "(difference " TWICE("(scale 1 -1 1 " RING ")") TWICE(WITHIN) ")" },
     { "(union (difference " RING WITHIN ") " LINK ")", "(union (difference " TWICE(RING) TWICE(WITHIN) ") " TWICE(LINK) ")" },
@@ -331,8 +336,8 @@ static void test_plain(void **state) {
   }
 }
 
-/* A part that touches no other part is not rounded to a grid, star-shaped or not. The test uses two horseshoes with
- * coordinates that are thirds. */
+/* A part that touches no other part is not rounded to the kernel's grid, whether the part is star-shaped or not. The
+ * test uses two horseshoes with multiples of 1/3 as coordinates. */
 static void test_alone(void **state) {
   (void)state;
   static const double at[8][2] = { { 0, 0 }, { 3, 0 }, { 3, 3 }, { 2, 3 }, { 2, 1 }, { 1, 1 }, { 1, 3 }, { 0, 3 } };
@@ -475,7 +480,7 @@ static void test_self_check(void **state) {
     vs_mesh_free(&m);
     sx_free(&p);
   }
-  sx_problem p; /* a thin peg in a huge plate, whose coarse grid changes the peg */
+  sx_problem p; /* a thin peg in a huge plate: the grid for the plate is so coarse that it changes the peg */
   vs_mesh m = { 0 };
   vs_kernel_error e;
   vs_kernel_counts counts = { 0 };
@@ -575,7 +580,7 @@ static void test_copies(void **state) {
     sum += vs_mesh_volume(from) * fabs(vs_affine_determinant(&c.copies[i].place));
   }
   near(sum, vs_mesh_volume(&m), 1e-9);
-  /* the first vertex of the stored mesh, moved to the place of its third copy; it must be a vertex of the result */
+  /* the first vertex of the stored mesh, moved to the place of the mesh's third copy, must be a vertex of the result */
   vs_vec3 at = vs_affine_point(&c.copies[2].place, c.meshes[0].vertices[0]);
   bool found = false;
   for (size_t i = 0; i < m.vertex_count; i++) found = found || vs_v3_length(vs_v3_sub(m.vertices[i], at)) < 1e-9;
@@ -598,7 +603,7 @@ static bool stop(void *context, const char *stage, double done) {
   return --*(int *)context > 0;
 }
 
-/* Checks that the result has the same bytes for any number of threads. Returns the number of triangles. */
+/* Checks that the result consists of equal bytes for any number of threads. Returns the number of triangles. */
 static size_t by_threads(const vs_kernel_problem *problem) {
   vs_mesh m[3] = { { 0 } };
   for (uint32_t i = 0; i < 3; i++) {
@@ -617,13 +622,14 @@ static size_t by_threads(const vs_kernel_problem *problem) {
   return triangles;
 }
 
-/* Threads copy parts that touch no other part to their places, and place copies of clusters. Clusters that must be
- * combined lie between these parts. */
+/* Several threads copy parts that touch no other part to their places, and place copies of clusters (groups of touching
+ * solids). Between these parts lie clusters that the kernel must combine. */
 static void test_places(void **state) {
   (void)state;
   char text[8000] = "(union";
-  for (int i = 0; i < 20; i++) { /* twenty rows of three parts: a sphere of another size, a rotated sphere of the same
-                                  * size, and a pair of boxes that overlap; every second pair is the same */
+  for (int i = 0; i < 20; i++) { /* twenty rows of three parts: a sphere whose size differs in each row, a rotated
+                                  * sphere of constant size, and a pair of overlapping boxes; every second pair is
+                                  * equal */
     sprintf(text + strlen(text), " (translate %d 0 0 (sphere %g 48)) (translate %d 9 0 (rotate 0 0 %d (sphere 2 48)))", 9 * i, 2 + i * 0.0625, 9 * i, 90 * i);
     sprintf(text + strlen(text), " (translate %d 18 0 (rotate 0 0 %d (union (cbox 2 2 2) (translate 1 1 %g (cbox 2 2 2)))))", 9 * i, 90 * i, i % 2 ? 1.0 : 1 + i * 0.03125);
   }
@@ -692,8 +698,8 @@ static void test_errors(void **state) {
   vs_kernel_options limits = { .max_triangles = 10 };
   assert_false(vs_kernel_evaluate(&p.problem, &limits, &m, &e));
   assert_int_equal(e.status, VS_KERNEL_LIMIT);
-  for (size_t bytes = 1000; bytes < 3000000; bytes *= 3) { /* limits the memory, so that the run fails at another point
-                                                            * each time, and must free all memory */
+  for (size_t bytes = 1000; bytes < 3000000; bytes *= 3) { /* limits the memory to a different number of bytes in each
+                                                            * run; a run that fails must free all memory */
     limits = (vs_kernel_options){ .max_bytes = bytes };
     if (!vs_kernel_evaluate(&p.problem, &limits, &m, &e)) assert_int_equal(e.status, VS_KERNEL_LIMIT);
     else assert_true(bytes > 200000);
@@ -723,8 +729,8 @@ static char *lattice(int bars) {
   return text;
 }
 
-/* The kernel checks the limit on triangles during its work, not only at the end. The limit therefore bounds the memory
- * for any result. */
+/* The kernel checks the limit on triangles during its work, not only at the end. Therefore the limit also bounds the
+ * memory that is used. */
 static void test_limit_on_the_way(void **state) {
   (void)state;
   enum { FEW = 500, MORE = 2000 };
@@ -757,7 +763,7 @@ static void test_facets_stay_whole(void **state) {
   (void)state;
   static const struct {
     const char *text;
-    size_t triangles; /* number of triangles with the option `straight`; 0: not known */
+    size_t triangles; /* expected number of triangles with the option `straight`; 0 if unknown */
   } cases[] = {
     { "(difference (box 4 4 4) (translate 2 2 2 (rotate 33 21 17 (cbox 1 1 9))))", 32 },
     { "(difference (rotate 33 21 17 (box 4 4 4)) (translate 0 0 1 (box 1 1 9)) (rotate 33 21 17 (translate 9 0 0 (box 1 1 1))))", 0 },

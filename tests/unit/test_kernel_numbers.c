@@ -1,4 +1,5 @@
-/* Tests the exact numbers of the mesh kernel against GMP: signs of doubles, where planes meet, and the predicates. */
+/* Tests the exact numbers of the mesh kernel against GMP: signs of doubles, intersections of planes, and geometric
+ * predicates. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -94,7 +95,7 @@ static void test_planes_meet(void **state) {
   int inside = 0;
   for (int i = 0; i < 3; i++) mpz_inits(d[i], n[i][0], n[i][1], n[i][2], NULL);
   for (int round = 0; round < 3000; round++) {
-    /* coordinates of the whole grid, and coordinates small enough for the faster arithmetic */
+    /* coordinates of the kernel's whole grid, or small coordinates for which the kernel uses faster arithmetic */
     int32_t most = round % 3 == 0 ? 5 : round % 3 == 1 ? INT32_MAX : 1 << 25;
     vs_plane p[3];
     vs_homogeneous h;
@@ -102,7 +103,7 @@ static void test_planes_meet(void **state) {
     if (!vs_meet_planes(&p[0], &p[1], &p[2], &h)) continue;
     set_wide(w, h.w, VS_LIMBS);
     assert_true(mpz_sgn(w) > 0);
-    for (int i = 0; i < 3; i++) { /* every plane contains the point */
+    for (int i = 0; i < 3; i++) { /* every one of the three planes contains their intersection point */
       set_128(sum, -p[i].d);
       mpz_mul(sum, sum, w);
       for (int a = 0; a < 3; a++) {
@@ -149,7 +150,7 @@ static void test_predicates(void **state) {
     for (uint32_t i = 0; i < 3; i++) {
       int32_t a[3], b[3], inside = most;
       vs_plane p;
-      do { /* a point on an edge, inside the grid */
+      do { /* chooses a random point on an edge, within the kernel's grid */
         random_plane(&p, most);
         for (int j = 0; j < 3; j++) a[j] = span(-inside, inside), b[j] = span(-inside, inside);
         points[i].big = VS_POINT_EXACT;
@@ -168,7 +169,7 @@ static void test_predicates(void **state) {
       int want = mpq_cmp(c[0][axis], c[1][axis]);
       assert_int_equal(vs_compare(view, 0, 1, axis), (want > 0) - (want < 0));
     }
-    mpq_set_ui(s, 0, 1); /* the determinant of (point 1 - point 0) and (point 2 - point 0), in x and y */
+    mpq_set_ui(s, 0, 1); /* computes twice the signed area of the triangle of points 0, 1 and 2 in the xy plane */
     mpq_sub(t, c[1][0], c[0][0]);
     mpq_sub(u, c[2][1], c[0][1]);
     mpq_mul(s, t, u);

@@ -16,8 +16,8 @@
 #include "tests/unit/allocator.h"
 #include "tests/unit/skip.h"
 
-static _Atomic long left = -1, live; /* left: number of requests until one is refused; negative: none is refused. live:
-                                      * number of blocks in use */
+static _Atomic long left = -1, live; /* left: number of allocations until one is refused; negative if none is to be
+                                      * refused. live: number of allocated blocks */
 static _Atomic bool refused, for_good;
 
 #if REPLACED
@@ -46,7 +46,7 @@ void free(void *p) {
 
 static bool again(void *context, const char *stage, double done) { return (void)context, (void)stage, done <= 1; }
 
-/* returns true if the run succeeded; *why is its status */
+/* runs the kernel; returns true if it succeeded, and sets *why to its status */
 static bool perform(const sx_problem *p, uint32_t threads, vs_kernel_status *why) {
   vs_kernel_options options = { .threads = threads, .job = &(vs_job){ .going = again } };
   vs_kernel_error e = { VS_KERNEL_FINE, 0, "" };
@@ -69,7 +69,8 @@ static void test_refused(void **state) {
   for (uint32_t threads = 1; threads <= 4; threads += 3)
     for (int good = 0; good < 2; good++) {
       long n = 0;
-      assert_true(perform(&p, threads, &why)); /* blocks of memory that one thread freed are used by the next thread */
+      assert_true(perform(&p, threads, &why)); /* runs the kernel without refusals first: later runs reuse blocks of
+                                                * memory that its threads freed */
       for (;; n += (all && threads > 1) || n < 150 ? 1 : 1 + n / 8) {
         long before = live;
         refused = false;

@@ -1,5 +1,5 @@
-/* Tests files of lamps, and the search for the sun in panoramas. Intensities and symmetries are compared with formulas,
- * files are damaged at random, and the test paints suns into skies. */
+/* Tests photometric files of lamps, and the search for the sun in panoramas. Intensities and symmetries are compared
+ * with formulas, and files are damaged at random. The test paints suns into skies and searches for them. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -38,8 +38,8 @@ static void test_intensities(void **state) {
   near_to(vs_ies_candelas(&x, 91, 0), 0, 0);
   near_to(x.most, 1000, 0);
   vs_ies_free(&x);
-  /* three lamps: with data for a quarter turn, for a half turn that begins at 90 degrees, and for one direction that
-   * applies to all */
+  /* three lamps with data for a quarter turn, for a half turn that begins at 90 degrees, and for one direction that
+   * applies to all directions */
   assert_true(reads(s, "TILT=NONE\n1 1 1 2 2 1 1 0 0 0 1 1 1 0 90 0 90 8 6 8 2", &x, &e));
   near_to(vs_ies_candelas(&x, 90, 135), 4, 1e-9);
   near_to(vs_ies_candelas(&x, 90, 180), 6, 1e-9);
@@ -109,7 +109,7 @@ static vs_vec3 towards(double azimuth, double altitude) {
 }
 
 /* Paints a sky that is bluer at the top, with a solar disc of half a degree in it. Each pixel is the mean of SUB x SUB
- * points. */
+ * sample points. */
 static void paint(vs_exr *x, vs_vec3 sun, double bright) {
   enum { SUB = 8 };
   static const char *const names[] = { "R", "G", "B" };
@@ -143,15 +143,15 @@ static void test_suns(void **state) {
     double bright = 40000, angle = 2 * pi * (1 - cos(0.266 * pi / 180));
     paint(&x, where, bright);
     assert_true(vs_panorama_take_sun(&x, &sun));
-    /* the direction that was found is within 0.1 degrees of the painted sun; half a degree is required */
+    /* the direction found is within 0.1 degrees of the painted sun; half a degree would be sufficient */
     assert_true(vs_v3_dot(sun.direction, where) > cos(0.1 * pi / 180));
     near_to(sun.light.x, bright * angle, 0.02 * bright * angle);
     near_to(sun.light.y, 0.9 * bright * angle, 0.02 * bright * angle);
     near_to(sun.light.z, 0.7 * bright * angle, 0.02 * bright * angle);
     float most = 0;
     for (size_t k = 0; k < (size_t)x.columns * x.rows; k++) most = fmaxf(most, vs_exr_find(&x, "B")[k]);
-    assert_true(most < 1.3); /* the sky's brightness is 0.9, and slightly more below the horizon, so no pixel of the sun
-                              * remains */
+    assert_true(most < 1.3); /* after the sun's removal, no pixel is much brighter than the sky, whose brightness is
+                              * about 0.9 */
     assert_false(vs_panorama_take_sun(&x, &sun));
     vs_exr_free(&x);
     assert_int_equal(vs_store_bytes(s), 0);

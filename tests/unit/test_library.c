@@ -312,8 +312,8 @@ static void round_trips(vs_scheme *vm) {
   uint64_t s = 88172645463325252u;
   for (int i = 0; i < 20000; i++) {
     uint64_t bits = next(&s);
-    if (i % 4 == 0) bits &= ~((UINT64_C(1) << 52) - 1);            /* powers of two: the distance to the next double
-                                                                    * below is half of that to the next above */
+    if (i % 4 == 0) bits &= ~((UINT64_C(1) << 52) - 1);            /* powers of two: the next double below is half as
+                                                                    * far away as the next double above */
     double d, back;
     memcpy(&d, &bits, 8);
     if (d != d || d - d != 0) continue;
@@ -355,8 +355,8 @@ static void division(vs_scheme *vm) {
   }
 }
 
-/* Compares a hash table with a plain array. Keys are hashed by address, objects move, keys are removed in between, and
- * the table grows. */
+/* Compares a hash table with a plain array. Keys are hashed by address and removed at random; the garbage collector
+ * moves objects, and the table grows. */
 static void tables(vs_scheme *vm) {
   enum { KEYS = 500 };
   bool in[KEYS] = {false};
@@ -410,7 +410,7 @@ static void cycles(vs_scheme *vm) {
   print_of(vm, r[0], VS_PRINT_WRITE, "#0=(1 1 . #0#)");
   print_of(vm, r[0], VS_PRINT_DISPLAY, "#0=(1 1 . #0#)");
   assert_true(vs_equal(vm, r[0], r[1], &same) && same);
-  /* a list that contains the same list twice but is not circular, so only write-shared prints labels */
+  /* a list that contains another list twice but is not circular, so only write-shared prints labels */
   assert_true(vs_cons(vm, vs_fix(7), VS_NIL, &r[2]) && vs_cons(vm, r[2], VS_NIL, &r[3]) && vs_cons(vm, r[2], r[3], &r[3]));
   print_of(vm, r[3], VS_PRINT_WRITE, "((7) (7))");
   print_of(vm, r[3], VS_PRINT_SHARED, "(#0=(7) #0#)");
@@ -418,7 +418,7 @@ static void cycles(vs_scheme *vm) {
   assert_true(vs_make_vector(vm, 2, vs_fix(3), &r[2]));
   vs_gc_store(vm, vs_as_vector(r[2]), &vs_as_vector(r[2])->at[1], r[2]);
   print_of(vm, r[2], VS_PRINT_WRITE, "#0=#(3 #0#)");
-  /* makes a pair of the same value twice, 60 times: as a tree it has 2^60 nodes */
+  /* makes pairs nested 60 deep, each containing the previous pair twice: as a tree it has 2^60 nodes */
   r[2] = r[3] = VS_NIL;
   for (int i = 0; i < 60; i++) assert_true(vs_cons(vm, r[3], r[3], &r[3]) && vs_cons(vm, r[2], r[2], &r[2]));
   assert_true(vs_equal(vm, r[2], r[3], &same) && same);

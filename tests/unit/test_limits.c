@@ -16,14 +16,15 @@
 #include "visualscheme.h"
 #include "vm/values/debug.h"
 
-/* Returns the processor time of the program in seconds, so that a busy machine does not matter. */
+/* Returns the processor time of the process in seconds, which other load on the machine does not change. */
 static double now(void) {
   struct timespec t;
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
   return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
 }
 
-/* ask_at: time of the interrupt; 0: no interrupt. asked: time at which the interpreter first polled after ask_at */
+/* ask_at: time from which an interrupt is requested; 0: no interrupt. asked: time at which the interpreter first polled
+ * after ask_at; in seconds */
 typedef struct { double ask_at, asked; char said[300]; unsigned line; } watch;
 
 static bool poll_watch(void *context) {
@@ -56,8 +57,8 @@ static void goes_on(vs_scheme *s, watch *w, const char *after) {
   if (eval(s, w, "(define after (+ 1 2))") != VS_OUTCOME_DONE) fail_msg("after %s: %s", after, w->said);
 }
 
-/* Programs that are repeated until they are interrupted. made: definitions; done: the work. Each repetition takes some
- * tens of milliseconds or more. */
+/* Programs that are repeated until they are interrupted. made: the text of the definitions; done: the text that is
+ * repeated, which runs for some tens of milliseconds or more. */
 static const struct { const char *made, *done; } busy[] = {
   { "(define x (expt 3 100000))", "(expt x 20)" },
   { "(define x (expt 7/3 50000))", "(expt x 10)" },
@@ -137,7 +138,7 @@ static double time_to_end(vs_scheme *s, watch *w, const char *made, const char *
 }
 
 /* By design each operation ends within 50 ms of an interrupt. The test allows half a second, because sanitizers and
- * garbage collections take time. A virtual machine counts as the process's time some time in which the process did not
+ * garbage collections take time. On a virtual machine, the measured time may include time in which the process did not
  * run. Therefore the best of eight runs is compared. */
 static void test_interrupts(void **state) {
   (void)state;
@@ -156,7 +157,8 @@ static void test_interrupts(void **state) {
   vs_free(s);
 }
 
-/* Tests the same programs under a limit of time, which may be reached while the definitions are still evaluated. */
+/* Runs the programs of test_interrupts under a time limit, which may be reached while the definitions are still being
+ * evaluated. */
 static void test_time(void **state) {
   (void)state;
   watch w;
@@ -209,7 +211,7 @@ static void test_memory(void **state) {
   vs_scheme *s = open_with(&w, (vs_options){ .limit_memory = 24u << 20 });
   for (size_t i = 0; i < sizeof hungry / sizeof *hungry; i++) {
     vs_outcome outcome = eval(s, &w, hungry[i]);
-    /* a number with too many digits may end the program before its time limit */
+    /* a program may also end before its time limit, with the error that a number has too many digits */
     bool digits = outcome == VS_OUTCOME_MODEL && strstr(w.said, "million digits");
     if ((outcome != VS_OUTCOME_MACHINE || !strstr(w.said, "memory")) && !digits) fail_msg("%s: ended with %d: %s", hungry[i], (int)outcome, w.said);
     if (w.line != 1) fail_msg("%s: no place: %s", hungry[i], w.said);
@@ -224,8 +226,8 @@ static void test_memory(void **state) {
 
 /* ---- outputs ---- */
 
-/* Drawings with much work in the language, the passes and the writers, or in the mesh kernel. %u is the number of
- * parts. The variable `turn` differs each time, so that no cached result is used. */
+/* Drawings that take much time in the language, the passes and the writers, or in the mesh kernel. %u is the number of
+ * parts. The variable `turn` has a different value in each run, so that no cached result is used. */
 static const struct { const char *made; unsigned parts, many; } drawn[] = {
   { "(erase-all) (draw (unite (map (lambda (i) (make-box (xyz (* 2 i) 0 0) 1 1 (+ 1 (* i 1e-6) turn))) (iota %u))))", 5000,
     200000 },
