@@ -1,4 +1,5 @@
-/* Tests bounds, contains? and measures of volume and area: they must agree with each other and with formulas. */
+/* Tests bounds, contains? and the measures of volume and area: the results must agree with each other and with
+ * formulas. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -25,7 +26,7 @@ static vs_node *over(vs_store *s, vs_kind kind, const void *data, vs_node *a, vs
 
 static vs_node *placed(vs_store *s, vs_affine a, vs_node *n) { return over(s, VS_TRANSFORM, &(struct vs_transform){ .matrix = a }, n, NULL); }
 
-static double drawn(uint64_t *seed) { /* returns a number by xorshift, the same in every run */
+static double drawn(uint64_t *seed) { /* returns a random number by xorshift, equal in every run */
   *seed ^= *seed << 13;
   *seed ^= *seed >> 7;
   *seed ^= *seed << 17;
@@ -51,8 +52,8 @@ static double sampled_volume(const vs_node *n, double *deviation) {
   return share * box;
 }
 
-/* Checks that a solid's mesh, formula, sample points and bounds agree. formula: whether the solid has a formula.
- * Releases n. */
+/* Checks that the solid's mesh, its formula, random sample points and its bounds agree. `formula`: whether the volume
+ * has a formula. Releases n. */
 static void agree(vs_node *n, bool formula) {
   vs_mesh m = { 0 };
   vs_error e = { 0 };

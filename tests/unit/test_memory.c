@@ -10,8 +10,8 @@
 enum { BLOCKS = 12, TURNS = 3000 };
 typedef struct { unsigned char *at; size_t size; unsigned char mark; } block;
 
-/* Returns the distance between the bytes that the test marks in a block of this size. The first and last bytes are
- * marked too. */
+/* Returns the distance in bytes between the bytes that the test marks in a block of this size. The first and last bytes
+ * are marked too. */
 static size_t step_of(size_t size) { return size / 61 + 1; }
 static void mark(block *b) {
   for (size_t i = 0; i < b->size; i += step_of(b->size)) b->at[i] = b->mark;
@@ -36,7 +36,7 @@ static void test_blocks(void **state) {
     block *b = &at[(random >> 16) % BLOCKS];
     random = random * 1664525 + 1013904223;
     static const size_t most[] = { 100, 1 << 16, HUGE_PAGE + 100, 9 << 20 };
-    /* a random size, or up to 4999 bytes more than the old size */
+    /* resizes the block to a random size, or by up to 4999 more bytes */
     resize(b, random >> 30 ? (random >> 4) % most[random >> 30] : b->size + (random >> 16) % 5000);
   }
   for (int i = 0; i < BLOCKS; i++) resize(&at[i], 0);
@@ -51,7 +51,7 @@ static void test_refused(void **state) {
   p[HUGE_PAGE - 1] = 5;
   assert_null(cli_memory(NULL, p, HUGE_PAGE, (size_t)1 << 62));
   assert_null(cli_memory(NULL, p, HUGE_PAGE, SIZE_MAX));
-  assert_int_equal(p[HUGE_PAGE - 1], 5); /* the refused request has not changed the block's contents */
+  assert_int_equal(p[HUGE_PAGE - 1], 5); /* the refused allocation has not changed the block's contents */
   assert_null(cli_memory(NULL, p, HUGE_PAGE, 0));
 }
 

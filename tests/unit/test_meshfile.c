@@ -17,7 +17,7 @@
 
 static size_t rounds = 1;
 
-static uint64_t drawn(uint64_t *seed) { /* returns a number by xorshift, the same in every run */
+static uint64_t drawn(uint64_t *seed) { /* returns a random number by xorshift, equal in every run */
   *seed ^= *seed << 13;
   *seed ^= *seed >> 7;
   *seed ^= *seed << 17;
@@ -33,16 +33,16 @@ static void put(sample *s, const void *bytes, size_t size) {
 static void say(sample *s, const char *text) { put(s, text, strlen(text)); }
 static void put_float(sample *s, double x) {
   float f = (float)x;
-  put(s, &f, sizeof f); /* writes four bytes as they are in memory: the formats are little-endian, as the machines of
-                         * the tests are */
+  put(s, &f, sizeof f); /* writes the four bytes of f as they are in memory: the formats are little-endian, and so are
+                         * the machines on which the tests run */
 }
 
 static const unsigned char quads[6][4] = { { 0, 2, 3, 1 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 }, { 0, 4, 6, 2 }, { 1, 3, 7, 5 } };
 
 enum { SAMPLES = 9, WORD_STRIPS = 7, BYTE_STRIPS };
 
-/* Writes the cube as three triangle strips, each of two opposite sides. A repeated corner reverses the strip's
- * orientation, and -1 begins another strip. */
+/* Writes the cube as three triangle strips; each strip covers two opposite sides. A repeated corner reverses the
+ * strip's orientation, and -1 begins another strip. */
 static void put_strips(sample *s, bool bytes) {
   int32_t corners[32];
   size_t count = 0;
@@ -113,7 +113,7 @@ static sample make(int which) {
   return s;
 }
 
-/* Returns the volume enclosed by a list of triangles, which must be a closed chain. */
+/* Returns the volume enclosed by a list of triangles, which must form a closed surface. */
 static double chain_volume(const vs_face_list *l) {
   vs_mesh m = { 0 };
   for (size_t i = 0; i < l->point_count; i++) assert_true(vs_mesh_add_vertex(&m, l->points[i], NULL));
@@ -158,13 +158,14 @@ static void damaged_files(void **state) {
           case 3: memmove(s.bytes + at, s.bytes + at + 1, s.size - at - 1), s.size -= s.size > 1; break;
           case 4: s.bytes[at] = (unsigned char)"0123456789-. \nef"[drawn(&seed) % 16]; break;
           case 5: if (at + 4 < s.size) memset(s.bytes + at, drawn(&seed) % 2 ? 0xff : 0x7f, 4); break;
-          default: { /* copies a random piece of the file over another place of the file */
+          default: { /* overwrites a random place of the file with another piece of the file */
             size_t from = (size_t)(drawn(&seed) % s.size), size = (size_t)(drawn(&seed) % 40);
             if (from + size < s.size && at + size < s.size) memmove(s.bytes + at, s.bytes + from, size);
           }
         }
       }
-      unsigned char *exact = malloc(s.size); /* a block of exact size, so that a sanitizer finds reads past its end */
+      unsigned char *exact = malloc(s.size); /* a block of exactly the file's size, so that a sanitizer finds reads past
+                                              * its end */
       memcpy(exact, s.bytes, s.size);
       vs_face_list l = { 0 };
       vs_error e = { 0 };
@@ -206,7 +207,7 @@ static void broken_solids(void **state) {
     assert_true(vs_solid_sphere(&ball, vs_v3(100, 0, 0), 1, 32));
     double volume = vs_mesh_volume(&ball);
     vs_face_list whole = list_of(&ball), l = { 0 };
-    if (round % 3 == 0) { /* adds a cavity */
+    if (round % 3 == 0) { /* adds a second, inner shell: a cavity */
       assert_true(vs_solid_sphere(&hollow, vs_v3(100, 0, 0), 0.5, 32));
       volume -= vs_mesh_volume(&hollow);
       for (size_t i = 0; i < hollow.triangle_count; i++) {

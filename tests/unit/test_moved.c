@@ -1,8 +1,8 @@
-/* Tests that the pass fold keeps objects. This pass replaces a placed node by a node whose own fields contain the
- * placement. Every distinct node of the table of shapes (tests/cross/shapes.vs) is placed by every map below. The table
- * must have a sample of each kind, so a new kind is tested too. The test compares each placed node before and after the
- * pass: inside or outside at random points, bounds, volume, area, length, and the corners of the mesh for a given
- * number of facets. */
+/* Tests the pass fold, which replaces a placed node by a node whose own fields contain the placement. Every distinct
+ * node of the table of shapes (tests/cross/shapes.vs) is placed by every transformation in `maps`. The table must have
+ * a sample of each kind, so a new kind is tested too. The test compares each placed node before and after the pass:
+ * inside or outside at random points, bounds, volume, area, length, and the corners of the mesh for a given number of
+ * facets. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -29,7 +29,7 @@
 static const char shapes[] = "(define-syntax shape (syntax-rules () ((_ name object . options) (draw object))))"
                              "(load \"tests/cross/shapes.vs\")";
 
-/* The maps of placement, as rows of their matrices. */
+/* The transformations that place nodes, as rows of their matrices. */
 static const struct { const char *name; double m[3][4]; } maps[] = {
   { "translation", { { 1, 0, 0, 3 }, { 0, 1, 0, -2 }, { 0, 0, 1, 5 } } },
   { "quarter turn about z", { { 0, -1, 0, 1 }, { 1, 0, 0, 0 }, { 0, 0, 1, 2 } } },
@@ -56,8 +56,8 @@ static const struct { const char *name; double m[3][4]; } maps[] = {
 };
 enum { MAPS = sizeof maps / sizeof *maps, POINTS = 60, KINDS = 64, NODES = 1 << 14 };
 
-static size_t tried[KINDS], folded[KINDS]; /* tried[k]: number of pairs of a node of kind k and a map. folded[k]: number
-                                            * of such pairs that the pass has changed */
+static size_t tried[KINDS], folded[KINDS]; /* tried[k]: number of tests of a node of kind k with a transformation.
+                                            * folded[k]: number of these tests in which the pass changed the node */
 static size_t compared_points, compared_meshes, wrong_count;
 static uint64_t chance;
 
@@ -94,7 +94,8 @@ static void wrong(const vs_node *n, size_t map, const char *format, ...) {
 
 static bool differ(double a, double b, double slack) { return !(fabs(a - b) <= slack); }
 
-/* Compares inside and outside at random points. Points closer than `slack` to the object's surface do not count. */
+/* Compares whether random points are inside the object before and after the pass. Points closer than `slack` to the
+ * object's surface do not count. */
 static void compare_points(const vs_node *n, const vs_node *t, const vs_node *r, size_t map, const vs_bounds *b,
                            double slack) {
   vs_error e = { 0 };
@@ -119,8 +120,8 @@ static void compare_points(const vs_node *n, const vs_node *t, const vs_node *r,
   vs_inside_free(without), vs_inside_free(with);
 }
 
-/* Compares the corners of two meshes of a leaf. The tolerance of the drawing does not change the number of its
- * facets. */
+/* Compares the corners of the meshes of a leaf before and after the pass. The leaf's number of facets does not depend
+ * on the tolerance of the drawing. */
 static void compare_corners(const vs_node *n, const vs_node *t, const vs_node *r, size_t map, double slack) {
   vs_error e = { 0 };
   vs_mesh a = { 0 }, b = { 0 };
@@ -164,7 +165,8 @@ static void compare_bounds(const vs_node *n, size_t map, const vs_bounds *a, con
           a->min.y, a->min.z, a->max.x, a->max.y, a->max.z, b->min.x, b->min.y, b->min.z, b->max.x, b->max.y, b->max.z);
 }
 
-/* Returns the number of facets that the node itself requires; 0 if the tolerance decides; -1 without such a field. */
+/* Returns the number of facets that the node itself requires; 0 if the tolerance decides the number; -1 if the node has
+ * no field for it. */
 static int64_t segments_of(const vs_node *n) {
   const vs_kind_info *info = vs_kind_get((vs_kind)n->kind);
   for (size_t i = 0; i < info->field_count; i++)
@@ -173,7 +175,8 @@ static int64_t segments_of(const vs_node *n) {
   return -1;
 }
 
-/* Returns a new node like n that requires 12 facets in a full turn, or NULL if its kind has no such field. */
+/* Returns a new node like n that requires 12 facets in a full turn, or NULL if n's kind has no field for the number of
+ * facets. */
 static vs_node *with_segments(vs_store *s, const vs_node *n) {
   const vs_kind_info *info = vs_kind_get((vs_kind)n->kind);
   _Alignas(max_align_t) char data[512];
@@ -196,7 +199,8 @@ static void compare(vs_store *s, vs_node *n, size_t map) {
   if (r != t && vs_node_bounds(t, &a, &e) && vs_node_bounds(r, &b, &e)) {
     double size = is_empty(&a) ? 0 : vs_bounds_diagonal(&a);
     bool finite = size > 0 && isfinite(size) && size < 1e6;
-    /* relative difference allowed for bounds: a spline's bounds are those of fine samples, other bounds are exact */
+    /* allowed relative difference of bounds: a spline's bounds come from fine samples of the curve, other bounds are
+     * exact */
     double sampled = n->class_ == VS_CURVE && !flat && !vs_node_has(n, VS_IS_SHORT) ? 1e-3 : 1e-9;
     if (finite && !vs_node_has(n, VS_IS_SAMPLED) && vs_node_role(n) != VS_ROLE_SET)
       compare_bounds(n, map, &a, &b, sampled * size);

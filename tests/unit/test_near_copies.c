@@ -1,8 +1,10 @@
 /* Tests that vs never writes a self-intersecting mesh without a warning. Each sample of the table of shapes, made a
- * solid, is combined with a nearly equal copy of itself: rotated by 1e-2 to 1e-9 radians, or moved or scaled as
- * slightly. In .stl (32-bit numbers) and in .off, the mesh is closed. No triangle crosses or lies on another unless a
- * warning gives the number of such triangles and the first place. Runs a sample of 150 programs, with LONG=1 four
- * thousand, or those of SEEDS=FROM-TO. SHOW=1 prints each program, TELL=1 the counts. */
+ * solid, is combined with a nearly equal copy of itself. The copy is rotated by 1e-2 to 1e-9 radians, or moved or
+ * scaled as slightly. The meshes in .stl (32-bit numbers) and .off must be closed. No triangle crosses or lies on
+ * another unless a warning gives the number of such triangles and the first place.
+ *
+ * Runs a sample of 150 programs, with LONG=1 four thousand, or those of SEEDS=FROM-TO. SHOW=1 prints each program,
+ * TELL=1 the counts. */
 #include "tests/unit/trials.h"
 #include "tests/unit/seeds.h"
 
@@ -13,7 +15,7 @@ static size_t written_count, met_count, refused_count;
 
 static double tiny(maker *m) { return pow(10, -2 - any(m, 71) / 10.0); }
 
-/* Writes the program of the seed. Successive seeds use successive samples of the table. */
+/* Writes the program that belongs to the seed. Successive seeds use successive samples of the table of shapes. */
 static void make_near(uint64_t seed, char text[MODEL_ROOM]) {
   static const char *const tools[] = { "unite", "subtract", "intersect" }, *const axes[] = { "ux", "uy", "uz",
                                                                                              "(vxyz 1 2 3)" };
@@ -28,7 +30,7 @@ static void make_near(uint64_t seed, char text[MODEL_ROOM]) {
       any(&m, 2) ? 0.3 : 0, far, far / 3);
 }
 
-/* Returns true if the mesh in the format is open, or intersects itself without a warning. */
+/* Returns true if the written mesh has a fault: it is open, or it intersects itself and vs did not warn. */
 static bool silent(trial *t, const char *suffix) {
   written w = { .volume = 0 };
   crossings_found found;
@@ -72,8 +74,8 @@ static void near_copies_are_never_silent(void **state) {
   begin(&t, 0);
   t.file = samples_file;
   for (unsigned long long seed = seeds.from; seed <= seeds.to; seed++) {
-    make_near(seed * (seeds.whole ? 1 : 5), text); /* with few seeds, uses every fifth program, so that rows of the
-                                                    * whole table occur */
+    make_near(seed * (seeds.whole ? 1 : 5), text); /* with few seeds, runs every fifth program, so that the sample
+                                                    * covers the whole table of shapes */
     if (getenv("SHOW")) fprintf(stderr, "seed %llu: %s\n", seed, text);
     if (!is_silent(&t, text)) continue;
     bad++;

@@ -20,8 +20,8 @@ static vs_node *sphere(vs_store *s, double x, double r) {
   return vs_node_new(s, VS_SPHERE, &data, NULL, 0);
 }
 
-static vs_node *both(vs_store *s, vs_kind kind, vs_node *a, vs_node *b) { /* takes over the references to the
-                                                                           * children */
+static vs_node *both(vs_store *s, vs_kind kind, vs_node *a, vs_node *b) { /* makes a node with the children a and b;
+                                                                           * takes over the references to them */
   vs_ref refs[2] = { { a, NULL }, { b, NULL } };
   vs_node *n = a && b ? vs_node_new(s, kind, NULL, refs, 2) : NULL;
   vs_node_release(a);
@@ -104,7 +104,7 @@ static void two_hundred_thousand_deep(void **state) {
 }
 
 /* Tests a graph of 60 nodes with 2^60 paths. The comparison of two such graphs, built separately, must compare each
- * node once. */
+ * pair of nodes only once. */
 static void wide_dags_compare_by_node(void **state) {
   (void)state;
   vs_store *s = vs_store_new(NULL, NULL);
@@ -165,9 +165,9 @@ static void long_messages_are_cut_at_a_character(void **state) {
   assert_int_equal(strlen(e.message), 511);
 }
 
-/* Tests how pictures are placed on faces by the face's direction. The plane of a picture differs from its face by at
- * most 11.25 degrees in each direction. The axes of the plane are perpendicular. Seen from outside, the first axis
- * points right when the second points up. */
+/* Tests how a picture's plane on a face depends on the face's direction. The plane differs from the face by at most
+ * 11.25 degrees in each direction. The plane's axes are perpendicular. Seen from outside, the first axis points right
+ * when the second points up. */
 static void pictures_lie_by_directions(void **state) {
   (void)state;
   uint32_t seed = 7;

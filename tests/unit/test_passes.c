@@ -1,4 +1,4 @@
-/* Tests the passes: they keep random drawings the same solids, and each pass has its intended effect. */
+/* Tests that the passes keep the solid of each random drawing, and that each pass has its intended effect. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -72,7 +72,8 @@ static bool never(void *asked, const char *stage, double done) {
   return ++*(size_t *)asked, false;
 }
 
-/* The numbering of a large drawing's nodes polls for an interrupt, and frees all memory after an interrupt. */
+/* The pass machinery numbers the nodes of a large drawing. It must poll for an interrupt meanwhile, and free all memory
+ * after an interrupt. */
 static void numbering_is_interrupted(void **state) {
   (void)state;
   vs_store *s = vs_store_new(NULL, NULL);
@@ -130,7 +131,7 @@ static void placements_fold(void **state) {
   assert_int_equal(r.node->kind, VS_CYLINDER);
   assert_true(VS_AS(cylinder, r.node)->radius == 1);
   vs_node_release(r.node);
-  /* six facets, a number that the program sets, so a mere rotation of the facets is not allowed */
+  /* the program requires six facets, so the pass may not replace the placement by a mere rotation of the facets */
   r = (vs_ref){ moved(s, tilt, NODE(cylinder, CYLINDER, { 0, 0, 0 }, { 0, 0, 2 }, 1, 6)), NULL };
   run(s, &r, 1 << VS_PASS_FOLD);
   assert_int_equal(r.node->kind, VS_TRANSFORM);
@@ -138,8 +139,8 @@ static void placements_fold(void **state) {
   vs_store_release(s);
 }
 
-/* Checks that the pass replaces the node n, moved by the map a, by a node of this kind. VS_TRANSFORM: the node remains
- * moved. Releases n. */
+/* Checks that the pass replaces the node n, moved by the transformation a, by a node of this kind. VS_TRANSFORM: the
+ * pass must not replace it. Releases n. */
 static void folds_to(vs_store *s, vs_affine a, vs_node *n, vs_kind kind) {
   vs_ref r = { moved(s, a, n), NULL };
   vs_bounds before, after;
@@ -176,7 +177,8 @@ static void kinds_fold_under_what_they_are_closed_under(void **state) {
   folds_to(s, vs_affine_translation(vs_v3(1, 0, 0)), NODE(superellipsoid, SUPERELLIPSOID, 0.5, 0.5, 2, 0), VS_TRANSFORM);
   folds_to(s, larger, NODE(pyramid, PYRAMID, { 1, 2, 3 }, 2, 5, { 1, 4, 5 }, 1), VS_PYRAMID);
   folds_to(s, turn, NODE(arc, ARC, { 1, 2, 3 }, 2, 0.5, 2, 0), VS_ARC);
-  /* not replaced: a rotated circle would begin at another point, which would change a sweep along it */
+  /* the pass keeps this placement: a rotated circle would begin at another point, which would change a sweep along
+   * it */
   folds_to(s, turn, NODE(circle, CIRCLE, { 1, 2, 3 }, 2, 0), VS_TRANSFORM);
   vs_points *points = vs_points_new(s, heights, 4);
   folds_to(s, mirror, NODE(line, LINE, points, false), VS_LINE);
@@ -216,13 +218,13 @@ static void placements_go_through_what_takes_them_in(void **state) {
   assert_int_equal(r.node->kind, VS_DIFFERENCE);
   assert_true(stats.commands_after == 3 && VS_AS(torus, r.node->children[1].node)->center.z == 4);
   vs_node_release(r.node);
-  /* a rotation of a box is not moved into the box's fields, since this would save nothing */
+  /* the pass keeps a box's rotation as a placement, because fields of the box for it would save nothing */
   vs_affine turn = vs_affine_rotation(vs_v3(0, 0, 0), vs_v3(0, 0, 1), 0.3);
   r = (vs_ref){ moved(s, turn, two(s, VS_UNION, NODE(sphere, SPHERE, { 0, 0, 0 }, 2, 0), NODE(box, BOX, { 0, 0, 0 }, { 1, 1, 1 }))), NULL };
   run(s, &r, 1 << VS_PASS_FOLD);
   assert_int_equal(r.node->kind, VS_TRANSFORM);
   vs_node_release(r.node);
-  /* a moved union inside a union: the pass makes one union of their members */
+  /* a moved union inside a union: the pass makes a single union of the members of both unions */
   r = (vs_ref){ two(s, VS_UNION, NODE(sphere, SPHERE, { 9, 0, 0 }, 2, 0), shifted(s, 1, 0, 0, two(s, VS_UNION, NODE(sphere, SPHERE, { 0, 0, 0 }, 2, 0), NODE(sphere, SPHERE, { 4, 0, 0 }, 1, 0)))), NULL };
   stats = run(s, &r, ALL);
   assert_true(r.node->child_count == 3 && stats.commands_before == 6 && stats.commands_after == 5);
@@ -237,13 +239,15 @@ static void paint_rises(void **state) {
   for (int i = 0; i < 6; i++) kids[i] = painted(s, "red", layered(s, i < 4 ? "roof" : "wall", NODE(sphere, SPHERE, { i, 0, 0 }, 1, 0)));
   vs_ref r = { over(s, VS_UNION, NULL, kids, 6), NULL };
   vs_pass_stats stats = run(s, &r, 1 << VS_PASS_FOLD);
-  assert_int_equal(r.node->kind, VS_MATERIAL); /* the pass has placed a single material around all six objects */
+  assert_int_equal(r.node->kind, VS_MATERIAL); /* the pass has replaced the materials of the six objects by a single
+                                                * material around all of them */
   assert_true(stats.commands_before == 23 && stats.commands_after == 14);
   vs_node_release(r.node);
   for (int i = 0; i < 6; i++) kids[i] = painted(s, i == 2 ? "green" : "red", NODE(sphere, SPHERE, { i, 0, 0 }, 1, 0));
   r = (vs_ref){ over(s, VS_UNION, NULL, kids, 6), NULL };
   run(s, &r, 1 << VS_PASS_FOLD);
-  /* three objects in red, green and red stay in order, because later objects hide earlier objects where they overlap */
+  /* three objects in red, green and red keep their order, because later objects hide earlier objects where they
+   * overlap */
   assert_true(r.node->kind == VS_UNION && r.node->child_count == 3);
   assert_int_equal(r.node->children[0].node->children[0].node->child_count, 2);
   assert_int_equal(r.node->children[2].node->children[0].node->child_count, 3);
@@ -293,17 +297,18 @@ static void copies_become_a_template(void **state) {
   vs_pass_stats stats = run(s, &r, 1 << VS_PASS_SHARE);
   assert_int_equal(stats.changed[VS_PASS_SHARE], 48);
   assert_true(stats.commands_before == 49 * 5 + 48);
-  assert_true(stats.commands_after == 5 + 1 + 49 + 48 + 48); /* 5 commands of a column, 1 of its template, 49 uses, 48
-                                                              * placements of the uses, 48 unions */
+  assert_true(stats.commands_after == 5 + 1 + 49 + 48 + 48); /* the output has 5 commands for a column, 1 for its
+                                                              * template, 49 uses of the template, 48 placements of
+                                                              * these uses, 48 unions */
   assert_true(vs_node_bounds(r.node, &after, NULL));
   assert_true(vs_v3_length(vs_v3_sub(before.max, after.max)) < 1e-9 && vs_v3_length(vs_v3_sub(before.min, after.min)) < 1e-9);
   vs_node_release(r.node);
   vs_store_release(s);
 }
 
-/* The next tests use trees that are written several times at different places. Copies of a tree differ in the last bits
- * of their numbers. For any rounding step, some of these numbers fall on different sides. */
-/* Returns a strip of 40 points with two holes. The last point is displaced by `off`. */
+/* The next tests use trees that a program writes several times at different places. The numbers of two such trees
+ * differ in their last bits. Rounding the numbers, with any step, would therefore not make all copies equal. */
+/* Returns a long outline of 40 points with two holes, at the position x. The last point is displaced by `off`. */
 static vs_node *strip(vs_store *s, double x, double off) {
   enum { POINTS = 40 };
   vs_vec3 at[POINTS];
@@ -344,7 +349,7 @@ static void copies_survive_rounding_and_flattening(void **state) {
       rods[i] = NODE(cylinder, CYLINDER, { x, sin(a), 11 + a }, { x + 18.47 * cos(a), 3 * sin(7 * a), 25.5 + sin(3 * a) }, 0.12, 12);
     }
     trees[t] = over(s, VS_UNION, NULL, rods, 150);
-    /* this strip is moved by a placement, so its nodes equal those of the unmoved strip */
+    /* this strip has a placement around it, so its nodes equal those of the unmoved strip */
     if (t == 7) trees[t] = shifted(s, 0, 0, 0.1, over(s, VS_UNION, NULL, &trees[t], 1));
   }
   vs_ref r = { over(s, VS_UNION, NULL, trees, 12), NULL };
@@ -364,8 +369,8 @@ static void copies_survive_rounding_and_flattening(void **state) {
   vs_store_release(s);
 }
 
-/* Returns a brace (a part of a scaffold) at the distance x from the axis, rotated by the angle about Z, with the
- * numbers that a program would compute. mirrored: in the plane of X and Z. */
+/* Returns a brace (a bar of a scaffold) at the distance x from the axis, rotated by the angle about Z. Its numbers are
+ * rounded as a program's would be. mirrored: the brace is mirrored in the plane of X and Z. */
 static vs_node *brace(vs_store *s, double x, double angle, bool mirrored, double radius) {
   vs_affine turn = vs_affine_rotation(vs_v3(x, 1, 0), vs_v3(0, 0, 1), angle), flip = vs_affine_mirror(vs_v3(0, 0, 0), vs_v3(0, 1, 0));
   if (mirrored) turn = vs_affine_multiply(&turn, &flip);
@@ -385,16 +390,16 @@ static void turned_copies_become_a_template(void **state) {
   vs_store *s = vs_store_new(NULL, NULL);
   vs_node *all[14];
   for (int i = 0; i < 12; i++) all[i] = brace(s, 3, 6.283185307179586 / 12 * i, i % 3 == 2, 0.3);
-  all[12] = brace(s, 3, 1, false, 0.3001); /* parts that are not copies: a brace with another radius, and a mirrored
-                                            * brace */
+  all[12] = brace(s, 3, 1, false, 0.3001); /* two braces that are not copies of the others: with another radius, and
+                                            * mirrored */
   all[13] = two(s, VS_UNION, brace(s, 3, 2, false, 0.3), NODE(sphere, SPHERE, { 0, 0, 0 }, 1, 0));
   vs_ref r = { over(s, VS_UNION, NULL, all, 14), NULL };
   vs_bounds before, after;
   assert_true(vs_node_bounds(r.node, &before, NULL));
   vs_inside *was = vs_inside_new(r.node, NULL);
   vs_pass_stats stats = run(s, &r, 1 << VS_PASS_SHARE);
-  assert_int_equal(stats.changed[VS_PASS_SHARE], 12); /* the pass share changes the eleven parts, and a part inside the
-                                                       * last */
+  assert_int_equal(stats.changed[VS_PASS_SHARE], 12); /* the pass share changes the eleven copies, and a part inside the
+                                                       * last copy */
   const vs_node *first = r.node->children[0].node;
   for (int i = 1; i < 12; i++) {
     const vs_node *n = r.node->children[i].node;
@@ -424,7 +429,7 @@ static void turned_copies_become_a_template(void **state) {
   vs_node_release(r.node);
   /* every allocation fails in turn */
   vs_node *beside[] = { brace(s, 3, 0, false, 0.3), brace(s, 3, 1, false, 0.3), brace(s, 4, 1, false, 0.3), brace(s, 3, 2, true, 0.3), brace(s, -1, 2, true, 0.3) };
-  r.node = over(s, VS_UNION, NULL, beside, 5); /* the same brace four more times: rotated, or rotated and moved */
+  r.node = over(s, VS_UNION, NULL, beside, 5); /* adds four copies of the first brace: rotated, or rotated and moved */
   assert_true(vs_node_bounds(r.node, &before, NULL));
   run(s, &r, 1 << VS_PASS_SHARE);
   assert_true(vs_node_bounds(r.node, &after, NULL));
@@ -448,8 +453,8 @@ static void turned_copies_become_a_template(void **state) {
   vs_store_release(s);
 }
 
-/* For POV-Ray, the pass changes large unions to trees of boxes. The solid stays the same, and no union has many
- * members. */
+/* For POV-Ray, the pass changes large unions to trees of unions by bounding box. The solid does not change, and no
+ * union has many members. */
 static void large_sets_become_trees_of_boxes(void **state) {
   (void)state;
   vs_store *s = vs_store_new(NULL, NULL);
@@ -467,8 +472,8 @@ static void large_sets_become_trees_of_boxes(void **state) {
   assert_true(vs_sets_group(s, &r, 1, &o, NULL));
   const vs_node *cut = r.node->children[0].node;
   assert_int_equal(cut->kind, VS_DIFFERENCE);
-  assert_int_equal(cut->child_count, 3); /* three children: the solid that is cut, the painted cutter, and one union of
-                                          * all other cutters */
+  assert_int_equal(cut->child_count, 3); /* the difference has three children: the minuend, the painted subtrahend, and
+                                          * one union of all other subtrahends */
   assert_int_equal(cut->children[1].node->kind, VS_MATERIAL);
   vs_ref level[64] = { cut->children[2] };
   size_t open = 1, leaves = 0;
@@ -567,8 +572,8 @@ static void random_solids_stay_what_they_are(void **state) {
     run(s, &r, round % 2 ? ALL : 1u << (round / 2 % VS_PASS_COUNT));
     vs_inside *after = vs_inside_new(r.node, NULL);
     assert_true(before && after);
-    for (int i = 0; i < 400; i++) { /* compares at random points, not at corners that solids have in common, where
-                                     * rounding decides */
+    for (int i = 0; i < 400; i++) { /* compares at random points, because rounding decides at corners that two solids
+                                     * have in common */
       vs_vec3 p = { real(&seed) * 1.3 + 0.0137, real(&seed) * 1.3 + 0.0171, real(&seed) * 1.3 + 0.0113 };
       bool was = vs_inside_test(before, p);
       inside += was;

@@ -1,5 +1,6 @@
-/* Tests geometry/pictures and EXR files. Tone curves are compared with published values, and measures of difference
- * with formulas. Also tests exposure by the histogram, noise and edges, and files that are cut short or changed. */
+/* Tests geometry/pictures and EXR files. Tone curves are compared with published values, and measures of the difference
+ * of two pictures with formulas. Also tests exposure by the histogram, noise and edges, and files that are cut short or
+ * changed. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -19,7 +20,7 @@
 #include "geometry/pictures/picture_difference.h"
 #include "geometry/pictures/tone.h"
 
-/* Computes the screen's values of a single colour, at a fixed exposure. */
+/* Computes the screen's values (0 to 255) of a single colour r, g, b of linear light, at a fixed exposure in stops. */
 static void screen(vs_tone_curve curve, double stops, float r, float g, float b, unsigned char rgb[3]) {
   vs_light light = { &r, &g, &b, 1, 1 };
   vs_tone tone = { .curve = curve, .fixed = true, .stops = stops };
@@ -44,7 +45,8 @@ static void test_linear(void **state) {
   assert_int_equal(grey(VS_TONE_LINEAR, 0, -7), 0);
 }
 
-/* Tests that every screen value is the nearest to the standard's formula, including dark values in its linear part. */
+/* Tests that every screen value is the integer nearest to the formula of IEC 61966-2-1, also for dark colours in the
+ * formula's linear part. */
 static void test_screen(void **state) {
   (void)state;
   for (int i = 0; i <= 200000; i++) {
@@ -64,12 +66,13 @@ static void test_neutral(void **state) {
   assert_int_equal(grey(VS_TONE_NEUTRAL, 0, 0.54f), 188); /* .54 decreases by .04 to .5, which is 188 on the screen */
   assert_int_equal(grey(VS_TONE_NEUTRAL, 0, 1.76f), 250);
   screen(VS_TONE_NEUTRAL, 0, 0.5f, 0.08f, 0.08f, rgb);
-  assert_int_equal(rgb[0], 181); /* the linear value .46 on the screen */
-  assert_int_equal(rgb[1], 56);  /* the linear value .04 on the screen */
+  assert_int_equal(rgb[0], 181); /* the screen value of the linear value .46 */
+  assert_int_equal(rgb[1], 56);  /* the screen value of the linear value .04 */
   assert_in_range(grey(VS_TONE_NEUTRAL, 0, 1000), 254, 255);
 }
 
-/* Expected value: Hable's curve with his constants at 2 * .18, with white at 11.2. */
+/* Tests Hable's filmic curve: the expected value is his formula, with his constants, at 2 * .18, divided by its value
+ * at the white of 11.2. */
 static void test_filmic(void **state) {
   (void)state;
   double x = 0.36, w = 11.2;
@@ -80,7 +83,7 @@ static void test_filmic(void **state) {
   assert_int_equal(grey(VS_TONE_FILMIC, 0, 0), 0);
 }
 
-/* The tone curve AgX covers ten stops below middle grey and 6.5 above. Values below and above become black and
+/* The tone curve AgX covers ten stops below middle grey and 6.5 above. Darker light becomes black, brighter light
  * white. */
 static void test_agx(void **state) {
   (void)state;
@@ -95,8 +98,8 @@ static void test_agx(void **state) {
   assert_in_range(grey(VS_TONE_AGX, 0, 0.18f), 90, 120);
 }
 
-/* Tests that the automatic exposure compensates a gain of light, for every curve, so that the picture does not
- * change. */
+/* Tests that the automatic exposure compensates for brighter light: for every curve, the picture does not change when
+ * all light is multiplied by a factor. */
 static void test_exposure(void **state) {
   (void)state;
   enum { COUNT = 1000 };
@@ -112,8 +115,9 @@ static void test_exposure(void **state) {
   }
 }
 
-/* Tests dithering. A gradient over few screen values has no band wider than 8 pixels, and keeps its mean. White and
- * black stay. A part of the picture equals that part of the whole picture. */
+/* Tests dithering, which adds noise before rounding to screen values. A gradient over few screen values has no band
+ * wider than 8 pixels, and keeps its mean. White and black do not change. A dithered part of a picture equals that part
+ * of the dithered whole picture. */
 static void test_dither(void **state) {
   (void)state;
   enum { WIDE = 512, HIGH = 16, LEFT = 37, TOP = 5 };
@@ -125,7 +129,7 @@ static void test_dither(void **state) {
   vs_tone_apply(&light, &tone, rgb);
   double sum = 0, wanted = 0;
   for (int x = 0, band = 0; x < WIDE; x++) {
-    bool flat = true; /* whether all pixels of the column have the same value as the column before */
+    bool flat = true; /* whether each pixel of this column equals its neighbour in the column before */
     for (int y = 0; y < HIGH; y++) {
       unsigned char here = rgb[3 * (y * WIDE + x)];
       flat = flat && here == rgb[3 * (x ? x - 1 : 0)];
@@ -147,7 +151,7 @@ static void test_dither(void **state) {
   for (int i = 0; i < WIDE * HIGH; i++) assert_int_equal(rgb[3 * i], i < WIDE ? 0 : 255);
 }
 
-/* Tests pictures of light without pixels, with NaN and with infinities. */
+/* Tests pictures of light that have no pixels, NaN or infinities. */
 static void test_odd_light(void **state) {
   (void)state;
   float at[3] = { NAN, INFINITY, -INFINITY };
@@ -167,13 +171,14 @@ static void test_odd_light(void **state) {
 
 enum { WIDE = 40, HIGH = 37, PIXELS = WIDE * HIGH };
 
-/* Returns a random number from 0 to 1, the same in every run and on every machine. */
+/* Returns a random number from 0 to 1, equal in every run and on every machine. */
 static double chance(uint32_t *seed) {
   *seed = *seed * 1664525u + 1013904223u;
   return (*seed >> 8) / 16777216.0;
 }
 
-/* Makes a picture of two areas of paint, grey 0.2 and 0.8. Their light has noise, but the layers have none. */
+/* Makes a picture of two painted areas, grey 0.2 and 0.8. The light has noise, but the layers (albedo, normal, depth)
+ * have none. */
 static void make_picture(vs_store *store, vs_exr *x, double noise) {
   static const char *const names[] = { "R", "G", "B", "albedo.R", "albedo.G", "albedo.B", "N.X", "N.Y", "N.Z" };
   vs_error e = { VS_ERROR_NONE, NULL, "" };
@@ -266,7 +271,8 @@ static void test_halves(void **state) {
   vs_store_release(store);
 }
 
-/* Tests that pixels written as PNG are read back unchanged: noise, and a picture of a single pixel. */
+/* Tests that pixels are unchanged after they are written as PNG and read: a picture of noise, and a picture of a single
+ * pixel. */
 static void test_png(void **state) {
   (void)state;
   vs_store *store = vs_store_new(NULL, NULL);
@@ -301,7 +307,8 @@ static double spread(const float *at, uint32_t from, uint32_t to) {
   return sqrt(fmax(squares / n - sum / n * (sum / n), 0)) / (sum / n);
 }
 
-/* Tests that denoising reduces noise to a quarter or less, and that the edge between two paints stays in place. */
+/* Tests that denoising reduces noise to a quarter or less, and that the edge between two painted areas stays in
+ * place. */
 static void test_denoise(void **state) {
   (void)state;
   vs_store *store = vs_store_new(NULL, NULL);
@@ -324,8 +331,8 @@ static void test_denoise(void **state) {
   vs_store_release(store);
 }
 
-/* Tests the measures of difference: a constant difference of .1 is 20 dB, equal pictures are reported as equal, and
- * noise lowers the similarity. */
+/* Tests the measures of the difference of two pictures. A constant difference of .1 is 20 dB, equal pictures are
+ * reported as equal, and noise lowers the similarity. */
 static void test_gap(void **state) {
   (void)state;
   vs_store *store = vs_store_new(NULL, NULL);
@@ -348,7 +355,8 @@ static void test_gap(void **state) {
   vs_store_release(store);
 }
 
-/* Tests false colours: the ends of the scale, its steps, and numbers outside the scale. */
+/* Tests false colours, which show numbers on a scale: the ends of the scale, its steps, and numbers outside the
+ * scale. */
 static void test_false_color(void **state) {
   (void)state;
   float at[1000];
@@ -365,7 +373,8 @@ static void test_false_color(void **state) {
   assert_memory_equal(rgb, high, 3);
   vs_false_color(&s, NAN, rgb);
   assert_memory_equal(rgb, low, 3);
-  assert_true(high[0] > 2 * high[2] && low[0] < 60 && low[1] < 60); /* the high end is red, the low end dark */
+  assert_true(high[0] > 2 * high[2] && low[0] < 60 && low[1] < 60); /* the high end of the scale is red, the low end
+                                                                     * dark */
   vs_color_scale steps = { .least = 0, .most = 10, .steps = 5, .unit = "h" };
   vs_false_color(&steps, 0.1, low);
   vs_false_color(&steps, 1.9, rgb);
@@ -376,8 +385,8 @@ static void test_false_color(void **state) {
 
 /* ---- rays ---- */
 
-/* Tests a ray in the plane of a box's side: it hits the box if it runs along that side, but not if it passes beside
- * it. */
+/* Tests a ray in the plane of a box's side: the ray hits the box if it runs along that side, but not if it passes
+ * beside it. */
 static void test_ray_box(void **state) {
   (void)state;
   vs_bounds b = { vs_v3(0, 0, 0), vs_v3(1, 2, 3) };
@@ -392,8 +401,8 @@ static void test_ray_box(void **state) {
   }
 }
 
-/* Compares the intersections that the tree of boxes finds for a ray with those of a test of every triangle, for
- * triangles of all sizes and for many triangles at the same place. */
+/* Compares the intersections of a ray with triangles, found by a tree of bounding boxes, with those found by testing
+ * every triangle. Tests triangles of all sizes, and many triangles at one place. */
 static void test_ray_tree(void **state) {
   (void)state;
   vs_store *store = vs_store_new(NULL, NULL);
@@ -436,12 +445,12 @@ static void test_ray_tree(void **state) {
   vs_store_release(store);
 }
 
-/* Tests openness: the fraction of directions, weighted by the cosine, that hit no surface within the distance `far`.
+/* Tests openness: the fraction of directions, weighted by the cosine, in which no surface is within the distance `far`.
  *
- * Beside a wall at the distance d, whose edges are further away than `far`, a direction hits the wall within `far` if
- * its component towards the wall is more than c = d / far. Seen from above, these directions are a segment of the unit
- * disc with the area acos c - c sqrt(1 - c c). Beside a wall of the height h, without `far`, the hidden fraction is
- * half of 1 - d / sqrt(d d + h h). */
+ * Beside a wall at the distance d, larger than `far` in extent, a direction hits the wall within `far` if its component
+ * towards the wall is more than c = d / far. Seen from above, these directions are a segment of the unit disc with the
+ * area acos c - c sqrt(1 - c c). Beside a wall of the height h, with an infinite `far`, the hidden fraction is half of
+ * 1 - d / sqrt(d d + h h). */
 static void test_openness(void **state) {
   (void)state;
   vs_store *store = vs_store_new(NULL, NULL);

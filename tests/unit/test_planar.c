@@ -26,7 +26,7 @@ static vs_area rectangle(double x0, double y0, double x1, double y1) {
   return a;
 }
 
-static double content(const vs_area *a) { /* returns the signed area of all loops; holes count as negative */
+static double content(const vs_area *a) { /* returns the signed area within all loops; holes count as negative */
   double sum = 0;
   for (size_t l = 0, first = 0; l < a->loop_count; first += a->size[l++])
     for (size_t i = 0; i < a->size[l]; i++) {
@@ -41,7 +41,7 @@ static void sets_of_areas(void **state) {
   vs_area in[2] = { rectangle(0, 0, 4, 4), rectangle(1, 1, 3, 3) }, out = { 0 };
   vs_error e = { 0 };
   assert_true(vs_area_combine(VS_AREA_DIFFERENCE, in, 2, "test", &out, &e));
-  assert_int_equal(out.loop_count, 2); /* the outer loop and its hole, without unnecessary corners */
+  assert_int_equal(out.loop_count, 2); /* the result has an outer loop and a hole, without unnecessary corners */
   assert_int_equal(out.count, 8);
   assert_true(!out.hole[0] && out.hole[1] && content(&out) == 12);
   assert_true(vs_area_holds(&out, 0.5, 0.5) && vs_area_holds(&out, 1, 2) && !vs_area_holds(&out, 2, 2) && !vs_area_holds(&out, 5, 2));
@@ -74,8 +74,8 @@ static void offsets(void **state) {
   vs_open_line open = { bent, 3, { { 1, 0 }, { 0, 1 } } };
   vs_polyline line = { 0 };
   assert_true(vs_line_offset(&open, &(vs_offset_rule){ 1, VS_OFFSET_MITRE, &fine, 0 }, &line, NULL));
-  assert_int_equal(line.count, 3); /* the parallel line runs to the left of the given line, inside its bend, in the same
-                                    * direction */
+  assert_int_equal(line.count, 3); /* the parallel line runs to the left of the given line, inside its bend, in the
+                                    * direction of the given line */
   assert_true(line.at[0].x == 0 && line.at[0].y == 1 && line.at[1].x == 3 && line.at[1].y == 1 && line.at[2].y == 4);
   vs_polyline_free(&line);
 }
@@ -98,8 +98,8 @@ static void read_off_meshes(void **state) {
   vs_outline o;
   vs_vec3 c;
   assert_true(vs_solid_box(&box, vs_v3(0, 0, 0), vs_v3(4, 4, 4)));
-  const double heights[] = { 0, 1, 4 }; /* heights of three planes that cut the box: at its bottom, through it, and at
-                                         * its top, where the section is the face */
+  const double heights[] = { 0, 1, 4 }; /* heights of three planes that cut the box: at its bottom, through its middle,
+                                         * and at its top; at the bottom and top the section is a face */
   for (int i = 0; i < 3; i++) {
     assert_true(vs_mesh_section(&box, vs_v3(0, 0, heights[i]), vs_v3(0, 0, 1), &o, NULL));
     assert_true(o.count == 1 && fabs(vs_outline_measure(&o, &c) - 16) < 1e-12 && fabs(c.x - 2) < 1e-12);
@@ -116,9 +116,9 @@ static void read_off_meshes(void **state) {
   vs_mesh_free(&box);
 }
 
-/* Tests a sheet with 22,500 holes, which takes a second. It would take half a minute to walk around the ring for each
- * hole, and minutes to test all corners for touching holes. The holes are diamonds and squares, in level and staggered
- * rows, and some touch in a corner. */
+/* Tests a sheet with 22,500 holes, which takes a second. Slower algorithms would take half a minute (a walk around the
+ * outline for each hole) or minutes (a test of all corners for touching holes). The holes are diamonds and squares, in
+ * level and staggered rows; some touch in a corner. */
 static void sheets_of_holes(void **state) {
   (void)state;
   enum { ROWS = 150, HOLES = ROWS * ROWS, CORNERS = 4 + 4 * HOLES };
@@ -162,14 +162,15 @@ static double chance(uint64_t *state) { /* returns a random number of [0, 1) */
 
 static vs_vec2 polar(double radius, double angle) { return (vs_vec2){ radius * cos(angle), radius * sin(angle) }; }
 
-static double turns_of(const vs_vec2 *at, size_t n) { /* returns twice the signed area of a polygon of n corners */
+static double turns_of(const vs_vec2 *at, size_t n) { /* returns twice the signed area of the polygon with the n corners
+                                                       * `at` */
   double sum = 0;
   for (size_t i = 0; i < n; i++) sum += at[i].x * at[(i + 1) % n].y - at[i].y * at[(i + 1) % n].x;
   return sum;
 }
 
-/* Tests stars with wedge-shaped holes that touch the star's corners. Further inside, more wedges touch those wedges. No
- * triangle of the sheet may overlap another. */
+/* Tests stars with wedge-shaped holes that touch the star's corners. Further inside, other wedges touch the outer
+ * wedges. No two triangles of the sheet may overlap. */
 static void holes_touch_corners(void **state) {
   (void)state;
   enum { MOST = 8, CORNERS = 7 * MOST };
@@ -191,8 +192,9 @@ static void holes_touch_corners(void **state) {
       memcpy(wedge[1], inner, sizeof inner);
       for (size_t k = 0; k < 2 && chance(&random) < 0.7; k++) {
         size_t turned = (size_t)(chance(&random) * 3);
-        for (size_t j = 0; j < 3; j++) at[n + j] = wedge[k][(turned + 3 - j) % 3]; /* corners in clockwise order,
-                                                                                    * beginning with any corner */
+        for (size_t j = 0; j < 3; j++) at[n + j] = wedge[k][(turned + 3 - j) % 3]; /* writes the wedge's corners in
+                                                                                    * clockwise order, beginning with a
+                                                                                    * random corner */
         if (turns_of(at + n, 3) > 0) {
           vs_vec2 swap = at[n];
           at[n] = at[n + 1], at[n + 1] = swap;
@@ -219,8 +221,8 @@ static void holes_touch_corners(void **state) {
   }
 }
 
-/* Tests sheets, rotated by any angle, with holes in rows. Many corners lie on one line, up to rounding. An edge that
- * joins two holes along this line passes other corners at a distance below a rounding error. */
+/* Tests sheets with holes in rows, rotated by any angle. Many corners of holes lie on one line, up to rounding. An edge
+ * that joins two holes along this line passes other corners at a distance below the rounding error. */
 static void holes_in_rows(void **state) {
   (void)state;
   enum { ROWS = 9, MOST = ROWS * ROWS * 9 + 4 };
@@ -255,7 +257,7 @@ static void holes_in_rows(void **state) {
           }
           break;
         }
-        default: /* a row of holes of equal height, or of two heights */
+        default: /* a row of holes whose heights are equal, or alternate between two values */
           if (seed % 4 == 3 && chance(&random) < 0.5) x += dx / 4, dx -= dx / 4;
           if (seed % 4 == 3 && chance(&random) < 0.5) dy *= 0.6;
           PUT(x, y + tilt), PUT(x, y + dy), PUT(x + dx, y + dy + tilt), PUT(x + dx, y);

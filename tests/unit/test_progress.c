@@ -1,5 +1,5 @@
-/* Tests the progress reports that a host receives while a mesh is made. The reported fraction never decreases. If the
- * callback interrupts, no file is written. */
+/* Tests the progress reports that a host receives while a mesh is made. The reported fraction must never decrease. If
+ * the host's callback interrupts, no file is written. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -14,8 +14,8 @@
 
 typedef struct {
   vs_scheme *s;
-  int told, steps;    /* told: number of reports while meshing. steps: number of reports with a greater fraction than
-                       * the report before */
+  int told, steps;    /* told: number of reports while the mesh is made. steps: number of reports whose fraction is
+                       * greater than in the previous report */
   double done, until; /* done: last reported fraction. until: fraction at which the callback interrupts */
   char said[200], wrong[200];
 } watch;
@@ -33,8 +33,9 @@ static void tell(void *context, const vs_diagnostic *d) {
   if (d->severity == VS_SEVERITY_ERROR) snprintf(((watch *)context)->said, sizeof ((watch *)context)->said, "%s", d->message);
 }
 
-/* The host receives ten progress reports a second. These models take a second or more, since all of their triangles
- * intersect others. A .glb is meshed part by part, for other formats all parts at once. */
+/* Models for the test. The host receives ten progress reports a second, so each model takes a second or more: all of
+ * its triangles intersect others. For .glb vs makes the mesh of each part in turn, for other formats one mesh of all
+ * parts. */
 static const char single[] =
   "(draw (subtract (make-box (xyz -12 -12 -12) (xyz 12 12 12))"
   "                (unite (map (lambda (i) (do-rotate (make-sphere (xyz 0 0 0) 10 #:segments 90) (xyz 0 0 0) (vxyz 1 2 3) (* i 0.06))) (iota 4)))))";

@@ -1,6 +1,7 @@
-/* Tests that every pass keeps a random drawing: the drawn points, the place of each part, its paint, and its origin in
- * the program. Runs each pass alone, each set of passes, and all passes. A sample of drawings, or with LONG=1 five
- * thousand. The test shrinks a failing drawing as long as it fails, and prints it. SEED=n runs drawing n alone. */
+/* Tests that every pass keeps the meaning of a random drawing: the set of its points, the placement of each part, its
+ * paint, and its origin in the program. Runs each pass alone, each set of passes, and all passes. Tests a sample of
+ * drawings, or with LONG=1 five thousand. The test shrinks a failing drawing as long as it fails, and prints it. SEED=n
+ * tests drawing n alone. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -48,7 +49,8 @@ static bool mesh_volume(const drawing *d, double *volume, double *area) {
   return true;
 }
 
-/* Returns true if the passes t->passes change the drawing d, with the reason in t->why. Counts the comparisons. */
+/* Returns true if the passes t->passes change the meaning of the drawing d; writes the reason to t->why. Counts the
+ * comparisons. */
 static bool differs(void *context, const drawing *d) {
   trial *t = context;
   bool bad = true, less = t->passes >> VS_PASS_PRUNE & 1;
@@ -89,14 +91,15 @@ static bool differs(void *context, const drawing *d) {
     t->close += close;
   }
   double v[2], area[2];
-  if (t->volume && mesh_volume(d, &v[0], &area[0])) { /* a drawing without a mesh, such as an endless line or a section,
-                                                       * has no mesh before and after the passes */
+  if (t->volume && mesh_volume(d, &v[0], &area[0])) { /* a drawing that cannot be meshed before the passes, such as an
+                                                       * endless line, cannot be meshed after them either */
     t->volumes++;
     if (!mesh_volume(&after, &v[1], &area[1])) {
       snprintf(t->why, sizeof t->why, "it has no mesh any more");
       goto done;
     }
-    /* the passes may rotate the facets of round parts: the volume may change by the chord height times the area */
+    /* the passes may rotate the facets of round parts: the volume may change by the chord height (distance of facet and
+     * arc) times the area */
     if (fabs(v[0] - v[1]) > 1e-9 * v[0] + 0.02 * (area[0] + area[1])) {
       snprintf(t->why, sizeof t->why, "the mesh had a volume of %.9g, and has %.9g", v[0], v[1]);
       goto done;
@@ -117,7 +120,7 @@ static void print_passes(unsigned passes) {
     if (passes >> k & 1) fprintf(stderr, " %s", vs_pass_get((vs_pass_kind)k)->name);
 }
 
-/* Returns false if a pass changes the drawing, and prints the reason. */
+/* Tests the drawing of the seed. Returns false if a pass changes its meaning, and prints the reason. */
 static bool holds(trial *t, uint64_t seed, bool every) {
   vs_store *s = vs_store_new(NULL, NULL);
   drawing d = drawing_make(s, seed);

@@ -1,15 +1,17 @@
-/* Tests the solids of random programs. A model of any kinds (tests/oracle/models.h), placed, nearly copied and
- * combined, ends with an error of the model, or has all of these properties:
+/* Tests the solids of random programs (tests/oracle/models.h). Each program must end with an error of the model, or its
+ * solid has these properties:
  *
  * - The mesh is closed and does not intersect itself, as doubles (.off has 12 digits) and as 32-bit numbers (.stl),
  * unless the writer warns.
+ *
  * - Volumes of operands and results agree: |a u b| + |a n b| = |a| + |b|, |a - b| + |a n b| = |a|.
+ *
  * - (contains? o p) agrees with the mesh's winding number at random points that are not next to the surface, and
  * (volume o) agrees with the mesh's volume.
  *
- * Models whose parts are rotated by 1e-5 to 1e-7 degrees must have the first property in four formats, with doubles
- * (.ply) and the shapes of .glb among them. A sample of 500 models, and 300 of the rotated models, with LONG=1 ten
- * thousand of each, or those of SEEDS=FROM-TO. The test shrinks a failing program as long as it fails, and prints it.
+ * Models whose parts are rotated by 1e-5 to 1e-7 degrees must have the first property in four formats, with .ply
+ * (doubles) and .glb among them. Tests a sample of 500 models, and 300 of the rotated models; with LONG=1 ten thousand
+ * of each kind, or those of SEEDS=FROM-TO. The test shrinks a failing program as long as it fails, and prints it.
  * TELL=1 prints the counts. */
 #include "tests/unit/trials.h"
 #include "tests/unit/seeds.h"
@@ -48,15 +50,16 @@ static bool bad_mesh(trial *t, const char *suffix, written *w) {
   return bad;
 }
 
-/* Numbers of facets of a full turn. The test tries FINER where FINE takes too long, and FINEST where FINE is not
- * enough: a plane that cuts a round part at a low angle removes a wide, shallow piece. */
+/* Numbers of facets of a full turn. FINE replaces USUAL where two results disagree. The test tries FINER where FINE
+ * takes too long, and FINEST where FINE is not enough: a plane that cuts a round part at a low angle removes a wide,
+ * shallow piece. */
 enum { USUAL = 24, FINE = 96, FINER = 48, FINEST = 384 };
 
 typedef enum { RIGHT, WRONG, UNTOLD } verdict;
 
-/* Returns an upper bound of the step of the kernel's grid for the model. All leaves fit 2^32 steps, and the step is 1,
- * 2 or 5 times a power of ten. It may be the next larger step if a normal would be too long. Returns 0 if the bounds
- * are not known. */
+/* Returns an upper bound of the step of the kernel's grid for the model. The grid has 2^32 steps for all leaves, and
+ * the step is 1, 2 or 5 times a power of ten. The kernel uses the next larger step if a normal vector would be too
+ * long. Returns 0 if the model's bounds are unknown. */
 static double widest_step(trial *t) {
   double diagonal;
   if (!number_of(t, "(let ((b (bounding-box leaves))) (distance (car b) (cadr b)))", &diagonal)) return 0;
@@ -64,21 +67,21 @@ static double widest_step(trial *t) {
   return 5 * diagonal / 0x1p32;
 }
 
-/* Returns the rounding error of the volumes of a, b and their combinations. Each mesh is made on a grid of its own. A
- * corner moves by at most half a step along an axis. A volume therefore changes by at most half a step times the area,
- * as seen along three axes. Called only when volumes differ: the areas take as long as the volumes. */
+/* Returns a bound of the rounding error of the volumes of a, b and their combinations. Each mesh is made on its own
+ * grid. Rounding moves a corner by at most half a step along an axis. A volume therefore changes by at most half a step
+ * times the area, as seen along three axes. Called only if volumes differ, because areas take as long as volumes. */
 static double grid_slack(trial *t, const char *text, const char *end, int facets) {
   static const char *const whose[] = { "(area (unite a))", "(area (unite b))", "(area (unite a b))",
                                        "(area (intersect a b))", "(area (subtract a b))" };
   static char all[MODEL_ROOM];
-  /* ENLARGED: the text computes the other solids' bounding box in the axes of a rotated half-space, enlarges it by a
-   * thirty-second, and adds the bounds of this box in world axes */
+  /* ENLARGED: number of a text. It computes the bounding box of the other solids in the axes of a rotated half-space,
+   * enlarges it by a thirty-second, and adds the bounds of this box in world axes */
   enum { ENLARGED = 4 };
   double sum = 0, area;
   bool halves = false;
   size_t n = 0;
   for (const char *from = text; from < end && n + 16 < sizeof all;) { /* changes each set operation to a union, so that
-                                                                       * all leaves count */
+                                                                       * the bounds of the result include all leaves */
     if (strncmp(from, "(make-half-space ", 17) == 0) { /* the kernel makes a half-space only as large as the other
                                                         * solids in the operation require */
       n += (size_t)snprintf(all + n, sizeof all - n, "(unite)");
@@ -97,8 +100,7 @@ static double grid_slack(trial *t, const char *text, const char *end, int facets
   return step / 2 * sqrt(3) * sum;
 }
 
-/* Returns the text without the numbers of facets that its parts set themselves, so that the test can set the facets of
- * all parts. */
+/* Returns the text without the numbers of facets of single parts, so that the test can set the number for all parts. */
 static const char *unfaceted(const char *text) {
   static char copy[TEXT];
   snprintf(copy, sizeof copy, "%s", text);
@@ -133,8 +135,9 @@ static verdict volumes_of(trial *t, const char *text, int facets) {
     snprintf(t->why, sizeof t->why, "%s", t->heard.error);
     return WRONG;
   }
-  /* `slack` allows for facets: a part alone is measured by its formula, a cut part by its facets. A sphere of 24 facets
-   * has 2 % less volume than its formula. With more facets the difference decreases at least in proportion */
+  /* `slack` allows for facets: the volume of a whole part comes from its formula, that of a cut part from its facets. A
+   * sphere of 24 facets has 2 % less volume than its formula. With more facets the difference decreases at least in
+   * proportion */
   double slack = 0.03 * USUAL / facets * (va + vb), most = fmax(fabs(both + common - va - vb), fabs(less + common - va));
   most = fmax(most, fmax(fmax(va, vb) - both, common - fmin(va, vb)));
   if (most <= slack || most <= slack + grid_slack(t, text, end, facets)) return RIGHT;
@@ -143,8 +146,9 @@ static verdict volumes_of(trial *t, const char *text, int facets) {
   return WRONG;
 }
 
-/* Returns true if the volumes disagree. A part alone is measured by its formula, a cut part by its facets, but this
- * difference vanishes with finer facets. If finer models take too long, the difference counts as a fault. */
+/* Returns true if the volumes disagree. Facets explain a difference only if it vanishes with finer facets: the volume
+ * of a whole part comes from its formula, that of a cut part from its facets. If finer models take too long, the
+ * difference counts as a fault. */
 static bool bad_volumes(trial *t, const char *text) {
   static char why[sizeof t->why];
   if (volumes_of(t, text, USUAL) != WRONG) return false;
@@ -193,8 +197,8 @@ static bool bad_inside(trial *t, const char *text, const written *w, uint64_t se
     double finer = winding_at(t, text, at[i], FINE);
     if (isnan(finer)) finer = winding_at(t, text, at[i], FINER);
     else if ((finer > 0.5) != (answers[i] == '1')) finer = winding_at(t, text, at[i], FINEST);
-    /* If a mesh with finer facets gives the other answer, the facets were too coarse. If it cannot be made, the
-     * difference counts as a fault. */
+    /* If a mesh with finer facets agrees with contains?, the coarser facets caused the difference. If no such mesh can
+     * be made, the difference counts as a fault. */
     if ((finer > 0.5) == (answers[i] == '1') && !isnan(finer)) continue;
     snprintf(t->why, sizeof t->why, "at (xyz %.17g %.17g %.17g) the mesh winds %g times, and contains? says %c", at[i][0], at[i][1], at[i][2], turns, answers[i]);
     return true;
@@ -202,8 +206,8 @@ static bool bad_inside(trial *t, const char *text, const written *w, uint64_t se
   return false;
 }
 
-/* Returns true if the model is wrong, with the reason in t->why. While a failing program is shrunk, only programs that
- * are still wrong are kept. */
+/* Returns true if the model is wrong, and writes the reason to t->why. The shrinking of a program calls this function,
+ * and keeps only programs that are still wrong. */
 static bool fails(void *context, const char *text) {
   trial *t = context;
   written off = { .volume = 0 }, single = { .volume = 0 };
@@ -232,9 +236,9 @@ static bool fails(void *context, const char *text) {
     double size = 0;
     for (int k = 0; k < 3; k++) size = fmax(size, off.high[k] - off.low[k]);
     if (!measured && strstr(t->heard.error, "fault of vs")) snprintf(t->why, sizeof t->why, "%s", t->heard.error), bad = true;
-    /* (volume o) comes from a formula, or from a finer mesh. The written mesh is within a chord height of it, .0086 of
-     * a radius. If a solid is thinner than that, most of it may be missing in the coarser mesh: the larger of the two
-     * areas counts. */
+    /* (volume o) comes from a formula, or from a finer mesh. The surface of the written mesh is within the chord height
+     * (distance of facet and arc) of the exact surface, .0086 of a radius. If a solid is thinner than that, most of it
+     * may be missing in the coarser mesh: therefore the larger of the two areas counts. */
     double chord = 0.01 * size, area = off.area;
     if (measured && fabs(v - off.volume) > chord * area + 1e-9 && number_of(t, "(area o)", &area)) area = fmax(area, off.area);
     if (measured && fabs(v - off.volume) > chord * area + 1e-9)
@@ -299,7 +303,7 @@ static void wrong_examples_are_right(void **state) {
     "(do-transform (subtract (make-e-cone (xyz 0.75 -2.25 2.2) 1.125 1.875 (xyz 1.5 -1.5 0.75) 1.875) (do-rotate "
     "(make-e-cone (xyz 0.75 -2.25 2.25) 1.125 1.88 (xyz 1.5 -1.5 0.75) 1.875) (vxyz 1 2 3) 3e-10)) (make-matrix 1 0 0 0 "
     " 0 1 0 0  .25 0 1 0  0 0 0 1))",
-    /* a surface with three layers, closer than 12 digits can separate */
+    /* a surface with three layers that are closer than numbers of 12 digits can separate */
     "(intersect (scope-place (make-ffd-scope (xyz -2 2 0) (xyz 2 2 0) (xyz -1 1 1.5) (xyz 1 1 3) (xyz -2 -2 0) (xyz 2 -2 "
     "0) (xyz -1 -1 3) (xyz 2 2 3)) (make-box (xyz -2 -3 2) (xyz 0 0.8 -2))) (make-half-space (vxyz 1 2 3)))",
     /* a folded hexahedron; a path that reverses in cusps, where it has no direction */
@@ -310,8 +314,8 @@ static void wrong_examples_are_right(void **state) {
     "(intersect (do-loft (list (make-circle origin 1) (do-move (make-polygon (xy 3 0) (xy 2 .5) (xy 2 2)) (vxyz 0 0 "
     "2)))) (do-sweep (make-polygon (xy 0 0) (xy 2 1) (xy 0 1)) (make-spline (list (xy 1 0) (xy 3 0) (xyz 2 0 0) (xy 1 "
     "0))) 0.8))",
-    /* a correct mesh that vs must also report as correct: the remaining solid is about as thin as a step of the grid,
-     * and each set operation has another grid */
+    /* a correct mesh that vs must also report as correct: the remaining solid is about as thin as a step of the
+     * kernel's grid, and each set operation has another grid */
     "(subtract (subtract (make-pyramid (xyz -0.8 0.8 0) 2 16 (xyz -3 2 0.8) 1.9) (make-pyramid (xyz -0.8 0.8 0) 2 16 "
     "(xyz -3 2 0.8) 2)) (do-slice (subtract (make-pyramid (xyz -0.8 0.8 0) 2 16 (xyz -3 2 0.8) 2) (make-pyramid (xyz "
     "-0.8 0.8 0) 2 16 (xyz -3 2 0.8) 2) (do-scale (make-box (xyz -1 0.2 1) 2 0.5 1) (list 1 1 100))) 'yz))",
@@ -393,7 +397,8 @@ static void turned_examples_are_right(void **state) {
     "(subtract (subtract (make-box (xyz 1 -1 -4) (xyz 3 3 -2)) (do-rotate (make-box (xyz 1 -1 -4) (xyz 3 3 -2)) 'z "
     "(degrees->radians -7e-6))) (do-rotate (subtract (make-box (xyz 1 -1 -4) (xyz 3 3 -2)) (do-rotate (make-box (xyz 1 "
     "-1 -4) (xyz 3 3 -2)) 'z (degrees->radians -7e-6))) 'y (degrees->radians 3e-7)))",
-    /* two neighbouring triangles whose planes coincide once their corners are doubles, without any other contact */
+    /* two neighbouring triangles whose planes coincide once their corners are doubles; the triangles have only their
+     * common edge in contact */
     "(unite (subtract (make-prism (xyz 1 -2 -1) 2 9 (xyz 1 -2 2)) (do-rotate (make-prism (xyz 1 -2 -1) 2 9 (xyz 1 -2 "
     "2)) (vxyz 0 1 1) (degrees->radians 5e-7)) (make-box (xyz 2 -1 -4) (xyz 5 2 -1))) (do-rotate (make-box (xyz 0 -1 "
     "-1) (xyz 3 0 3)) 'z (degrees->radians 4e-6)))",
@@ -408,7 +413,8 @@ static void turned_examples_are_right(void **state) {
   vs_free(t.vm);
 }
 
-/* Tests a sample of 300 seeds, with LONG=1 ten thousand, or those of SEEDS=FROM-TO. */
+/* Tests the models with slightly rotated parts: a sample of 300 seeds, with LONG=1 ten thousand, or those of
+ * SEEDS=FROM-TO. */
 static void turned_models_are_right(void **state) {
   (void)state;
   static char text[MODEL_ROOM];

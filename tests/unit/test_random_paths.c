@@ -1,14 +1,15 @@
-/* Tests that vs gives the same figures of an object in every way to inspect it. The programs place samples of every
- * kind and every constructor (tests/oracle/paths.h) in every way, and as each operand of every set operation:
+/* Tests that all ways to measure an object agree. The programs place samples of every kind and every constructor
+ * (tests/oracle/paths.h) in every way, and as each operand of every set operation:
  *
  * - (volume o), the volume of the written mesh, the volume of the mesh written without passes, (contains? o p) and
  * (bounding-box o) agree.
- * - The answers and the bytes are the same whether o is measured before or after it is drawn, and in an interpreter
+ *
+ * - The answers and the bytes are equal whether o is measured before or after it is drawn, and in an interpreter
  * without a cache.
  *
- * If all faces are planar, volumes are equal to 1e-9. Otherwise the chord height bounds their difference: the written
- * mesh and the measured mesh lie within it of the exact surface. Runs 500 programs; with LONG=1 ten thousand, or those
- * of SEEDS=FROM-TO. SHOW=1 prints each program, TELL=1 the counts. */
+ * If all faces are planar, volumes are equal to 1e-9. Otherwise the chord height (distance of facet and arc) bounds
+ * their difference: the written mesh and the measured mesh lie within it of the exact surface. Runs 500 programs; with
+ * LONG=1 ten thousand, or those of SEEDS=FROM-TO. SHOW=1 prints each program, TELL=1 the counts. */
 #include "tests/unit/trials.h"
 #include "tests/unit/seeds.h"
 
@@ -19,9 +20,9 @@ static const char samples_file[] = "tests/cross/shapes.vs";
 
 typedef struct {
   bool solid, drawn;            /* solid: whether the object is a solid. drawn: whether its mesh was written */
-  double volume;                /* volume of the object; NAN: the object has no volume */
+  double volume;                /* volume of the object; NAN if the object has no volume */
   double low[3], high[3], size; /* low, high: corners of the bounding box. size: length of its diagonal */
-  char told[TEXT];              /* text of all answers */
+  char told[TEXT];              /* text of all answers of the interpreter */
   char error[600];              /* reason why no mesh was written */
   written mesh;
 } looks;
@@ -38,9 +39,9 @@ static const char asking[] =
     "(lambda (p) (for-each (lambda (c) (write (c p)) (display \" \")) (list cx cy cz))) box) (display \"no box \")) "
     "(write (list (solid? o) (asked area) (asked centroid))))";
 
-/* Evaluates the text, then asks for the figures before or after writing the mesh. Before the first question the
- * interpreter collects garbage. The values from which the program made the object are then freed, so that nothing else
- * refers to its parts. Returns false if the program is refused. */
+/* Evaluates the text, then measures the object: before writing the mesh if `asks_first`, otherwise after. Before the
+ * first measurement the interpreter collects garbage, so that no other value refers to the object's parts. Returns
+ * false if the program is refused. */
 static bool look(trial *t, const char *text, bool asks_first, unsigned passes, looks *out) {
   vs_output_options o = vs_output_options_default();
   bool more;
@@ -86,8 +87,8 @@ static bool same_mesh(const written_mesh *a, const written_mesh *b) {
 
 typedef struct { const char *name; bool flat; } flatness;
 static const flatness flat_kinds[] = {
-/* Levels of the kinds whose faces may be planar: faces, placements, sets and wrappers. Round kinds have another
- * level. */
+/* Levels of the kinds whose faces may be planar: faces, placements, sets and wrappers. Round kinds (such as spheres)
+ * have another level. */
 #define VS_KIND(upper, lower, name, class, level, role, traits) { name, VS_LEVEL_IS_##level },
 #define VS_LEVEL_IS_SUGAR true
 #define VS_LEVEL_IS_OPERATION true
@@ -109,7 +110,7 @@ static bool gather(void *context, const void *bytes, size_t count) {
   return true;
 }
 
-/* Returns true if all faces are planar, judging by the kinds of nodes in the drawn tree. An extrusion has planar faces
+/* Returns true if all faces are planar, judged by the kinds of nodes in the drawn tree. An extrusion has planar faces
  * if it is straight and its profile is polygonal. */
 static bool is_flat(trial *t) {
   static char tree[TEXT];
@@ -129,14 +130,14 @@ static bool is_flat(trial *t) {
   return true;
 }
 
-/* Returns the chord height of a drawing whose diagonal is `size`: the power of two nearest to size / 4000. */
+/* Returns the chord height (largest distance of a facet from its arc) of a drawing whose diagonal is `size`: the power
+ * of two nearest to size / 4000. */
 static double chord(double size) {
   return size > 0 && isfinite(size) ? ldexp(1, (int)nearbyint(log2(size / 4000))) : 0;
 }
 
-/* Returns the chord height of facets that are coarser than those of the drawing. Such facets come from a number of
- * facets in the text, or from an object that is deformed by a hexahedron: these are made for a 200th part of its
- * diagonal (solids/deformed.c). */
+/* Returns the chord height of facets that are coarser than those of the drawing. The text may set a small number of
+ * facets. An object that a hexahedron deforms has a chord height of 1/200 of its diagonal (solids/deformed.c). */
 static double coarser_chord(const char *text, double size) {
   static const char *const counts[] = { "#:segments ", "#:nu ", "#:nv " };
   static const char *const bent[] = { "make-ffd-scope", "to-frustum", "rules/hexahedron" };
@@ -151,21 +152,22 @@ static double coarser_chord(const char *text, double size) {
   return most;
 }
 
-/* step, chord: distances by which a point of the surface may be off, due to rounding and to facets. volume: allowed
- * difference of volumes. */
+/* step, chord: distances by which a point of the surface may be wrong, due to rounding and to facets. volume: allowed
+ * difference of volumes */
 typedef struct { double step, chord, volume; } allowance;
 
-/* Returns the tolerances. The kernel's grid has 2^32 steps for all that the program combines; a step is 1, 2 or 5 times
- * a power of ten, and a point moves by at most half a step. The allowed chord height is that of the drawing, doubled
- * for surfaces that bend in both directions. It counts once for the written mesh and once for the measured mesh. */
+/* Returns the tolerances for the measures of an object. The kernel's grid has 2^32 steps for all that the program
+ * combines; a step is 1, 2 or 5 times a power of ten, and a point moves by at most half a step. The allowed chord
+ * height is that of the drawing, doubled for surfaces that bend in two directions. It counts once for the written mesh
+ * and once for the measured mesh. */
 static allowance allow(const char *text, double size, double result, double area, bool flat) {
   allowance s = { .step = 5 * size / 0x1p32, .chord = flat ? 0 : fmax(chord(result), coarser_chord(text, size)) };
   s.volume = (s.step + 4 * s.chord) * area;
   return s;
 }
 
-/* Returns the tolerances by the size and the area of all that the program combines, with its set operations as unions.
- * Called when the tolerances by the result alone are exceeded. */
+/* Returns larger tolerances, from the size and area of the program with all set operations changed to unions. Called if
+ * the measures exceed the tolerances by the size of the result alone. */
 static allowance allow_wider(paths *p, const char *text, const looks *a, bool flat) {
   static char all[MODEL_ROOM];
   size_t n = 0;
@@ -193,9 +195,9 @@ static bool wrong(paths *p, const char *format, ...) {
   return true;
 }
 
-/* Returns the volume of the mesh's part beyond the plane where coordinate k is `level`, on the side of `sign`. By
- * Gauss's theorem, this is the flux of the field (0, 0, z - level), whose divergence is 1, through the triangles, each
- * cut at the plane. */
+/* Returns the volume of the mesh's part beyond the plane where coordinate k equals `level`, in the direction of `sign`.
+ * By Gauss's theorem, this volume is the flux of the field (0, 0, z - level), whose divergence is 1, through the
+ * triangles, each cut at the plane. */
 static double volume_beyond(const written_mesh *m, int k, double level, int sign) {
   double sum = 0;
   int u = (k + 1) % 3, v = (k + 2) % 3;
@@ -219,9 +221,9 @@ static double volume_beyond(const written_mesh *m, int k, double level, int sign
   return sum;
 }
 
-/* Returns true if the bounding box does not contain the mesh. The bounding box of a round shape is that of fine facets.
- * Rounding may leave a fin outside the box where coplanar faces were rotated. Fins whose volume is below 1e-12 of area
- * times size do not count. */
+/* Returns true if the bounding box does not contain the mesh. The bounding box of a round shape is that of finer
+ * facets. Rounding may leave a fin (a very thin piece) outside the box where coplanar faces were rotated. Fins with a
+ * volume below 1e-12 of area times size do not count. */
 static bool bad_bounds(paths *p, const looks *a, double slack) {
   for (int k = 0; k < 3; k++)
     for (int side = 0; side < 2; side++) {
@@ -265,7 +267,8 @@ static bool bad_places(paths *p, const looks *a, double slack) {
   return false;
 }
 
-/* Returns true if the answers or the meshes of two ways differ. how: text that describes the second way. */
+/* Returns true if the answers or the meshes of two measurements a and b differ. how: text that describes how b was
+ * measured. */
 static bool differ(paths *p, const looks *a, const looks *b, const char *how) {
   if (strcmp(a->told, b->told) != 0) return wrong(p, "answers differ %s: %.300s and %.300s", how, a->told, b->told);
   if (a->drawn != b->drawn)
@@ -321,7 +324,8 @@ static bool disagrees(paths *p, const char *text) {
                s.volume);
 }
 
-/* Returns true if the program fails. A program that a busy machine did not finish in time does not count. */
+/* Returns true if the answers for the program are wrong. A program that a busy machine did not finish in time does not
+ * count. */
 static bool fails(void *context, const char *text) {
   paths *p = context;
   bool bad = disagrees(p, text), late = bad && strstr(p->why, "stopped after");
@@ -340,7 +344,8 @@ static void paths_agree(void **state) {
   assert_true(path_samples_read(samples_file));
   begin(&p.kept, 0);
   begin(&p.bare, SIZE_MAX);
-  p.kept.file = p.bare.file = samples_file; /* the samples' files are relative to the folder of this file */
+  p.kept.file = p.bare.file = samples_file; /* the file names in the samples are relative to the folder of the samples'
+                                             * file */
   for (unsigned long long seed = seeds.from; seed <= seeds.to; seed++) {
     size_t sample, way, set, compared = p.compared;
     path_make(seed, text, &sample, &way, &set);

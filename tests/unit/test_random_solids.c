@@ -1,5 +1,5 @@
-/* Runs the random operations of tests/oracle/fuzz.c in the kernel: a sample, with LONG=1 some thousands, or those of
- * SEEDS=FROM-TO. */
+/* Runs the random set operations of tests/oracle/fuzz.c in the kernel: a sample of seeds, with LONG=1 a few thousand,
+ * or those of SEEDS=FROM-TO. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -28,8 +28,8 @@ static void test_random_trees(void **unused) {
   assert_true(results > 7 * (seeds.to - seeds.from + 1) && (said == 0 || said * FEW <= results));
 }
 
-/* The results of these seeds have triangles, far apart along the surface, that rounding makes intersect. In the result
- * of the last seed, triangles touch because the kernel repaired a triangle. The kernel must report these contacts. */
+/* Rounding makes triangles of these results intersect that are far apart along the surface. In the result of the last
+ * seed, triangles touch because the kernel repaired a triangle. The kernel must report these contacts. */
 static void test_far_apart(void **unused) {
   (void)unused;
   static const uint64_t seeds[] = { 5374, 5871, 200547, 300336, 300545, 405310, 501912, 722672 };

@@ -2,13 +2,13 @@
  *
  * Random profiles move along random paths, with random twists, scales and base points; most sweeps overlap themselves.
  * The test compares each sweep with a formula that uses no mesh (geometry/measure/inside.c): a point between two
- * sections is inside. The solid's mesh must agree at random points, except within some tolerances of its surface. The
- * mesh's volume must equal the measured volume. The mesh is closed, and after rounding to the numbers of .off and .stl
- * no two of its triangles intersect. A sweep that does not overlap itself is never refused. At most one in twenty
- * sweeps that overlap is refused, by an error that names the bend.
+ * sections is inside. At random points the solid's mesh must agree with the formula, except within a few tolerances of
+ * its surface. The mesh's volume must equal the measured volume. The mesh is closed, and after rounding to the numbers
+ * of .off and .stl no two of its triangles intersect.
  *
- * Tests a sample of some 30 small sweeps, with LONG=1 two thousand of any size, or those of SEEDS=FROM-TO; TELL=1
- * prints the results. */
+ * A sweep that does not overlap itself is never refused. At most one in twenty overlapping sweeps is refused, by an
+ * error that names the bend. Tests a sample of some 30 small sweeps, with LONG=1 two thousand of any size, or those of
+ * SEEDS=FROM-TO; TELL=1 prints the results. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -91,7 +91,7 @@ static vs_node *path(vs_store *s, dice *d) {
   if (which == 0) return NODE(circle, CIRCLE, { 0, 0, 0 }, between(d, .2, 2), 0);
   if (which == 1) return NODE(arc, ARC, { 0, 0, 0 }, between(d, .2, 2), 0, between(d, 1, 6), 0);
   for (int i = 0; i < n; i++) {
-    bool good = false; /* whether no two neighbouring points nearly coincide */
+    bool good = false; /* whether all neighbouring points are clearly apart */
     while (!good) {
       at[i] = vs_v3(between(d, -2, 2), between(d, -2, 2), flat ? 0 : between(d, -2, 2));
       good = (!i || vs_v3_length(vs_v3_sub(at[i], at[i - 1])) > .3) && (i + 1 < n || vs_v3_length(vs_v3_sub(at[i], at[0])) > .3);
@@ -140,11 +140,11 @@ static double from_surface(const vs_mesh *m, vs_vec3 p) {
 
 /* ---- test of a sweep ---- */
 
-/* most: sweeps with more triangles are skipped; 0: no sweep is skipped. The other members count sweeps or points.
- * furthest: distance of the worst wrong point from the surface. */
+/* most: limit of triangles above which a sweep is skipped; 0: no limit. The other integers count sweeps or points.
+ * furthest: distance of a wrong point from the surface, the largest of all */
 typedef struct { size_t most, sweeps, overlapping, points, inside, met, refused, wrong; double furthest; } tally;
 
-/* Returns the number of triangles that intersect after their coordinates are rounded to `numbers`. */
+/* Returns the number of triangles that intersect after their coordinates are rounded to the number format `numbers`. */
 static size_t met(const vs_mesh *m, vs_numbers numbers) {
   vs_mesh copy = { 0 };
   vs_rounded r = { 0 };
@@ -245,7 +245,8 @@ static void sweeps_are_where_the_profile_was(void **state) {
   for (uint64_t seed = seeds.from; seed <= seeds.to; seed++) {
     char why[600];
     vs_store *s = vs_store_new(NULL, NULL);
-    vs_cache *cache = vs_cache_new(s, (size_t)1 << 28); /* measuring requests the mesh a second time, so it is cached */
+    vs_cache *cache = vs_cache_new(s, (size_t)1 << 28); /* a cache for the mesh, because the measurement requests the
+                                                         * mesh a second time */
     assert_non_null(cache);
     look(s, seed, &t, why);
     if (why[0]) t.wrong++, fprintf(stderr, "sweep %llu: %s\n", (unsigned long long)seed, why);

@@ -1,9 +1,10 @@
 /* Tests that every request for memory may be refused, in some forty programs: every kind of object, every form of the
- * language, every format. Each request in turn is refused, once, or with all later requests; of later requests only a
- * sample. Requests are of three kinds: objects of the interpreter's heap, requests of the interpreter to its host, and
- * requests to the C library by geometry and the libraries that it uses (GEOS, FreeType, libzip). A refused run ends
- * with an error, or writes the bytes that it writes without a refusal. The interpreter works afterwards, and all memory
- * is freed. */
+ * language, every format. Requests are of three kinds: objects of the interpreter's heap, requests of the interpreter
+ * to its host, and requests to the C library by geometry and the libraries that it uses (GEOS, FreeType, libzip).
+ *
+ * Each of the first requests is refused in turn, alone or with all later requests; of later requests only a sample is
+ * refused. A run with refusals must end with an error, or write the bytes that it writes without a refusal. The
+ * interpreter must work afterwards, and all memory must be freed. */
 #define _DEFAULT_SOURCE /* for mkdtemp */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -24,7 +25,7 @@
 #include "vm/values/gc.h"
 
 /* left: number of requests until one is refused. on: whether requests are counted. good: whether all later requests are
- * refused too. refused: whether one was */
+ * refused too. refused: whether a request has been refused */
 typedef struct { long left; bool on, good, refused; } refusal;
 static refusal host, library; /* host: requests to the host's callback. library: requests to the C library's
                                * allocator */
@@ -59,8 +60,8 @@ static void *take(void *context, void *old, size_t old_size, size_t new_size) {
     return NULL;
   }
   if (new_size > old_size && refuse(&host)) return NULL;
-  void *p = __libc_realloc(old, new_size); /* calls the C library itself: the host's request must not be counted a
-                                            * second time as the library's */
+  void *p = __libc_realloc(old, new_size); /* calls the C library's own function, so that the host's request is not
+                                            * counted a second time as a request to the library */
   assert_non_null(p);
   if (!old) b->blocks++;
   b->live += new_size - old_size;
@@ -160,8 +161,8 @@ static void refuse_in(vs_scheme *s, account *b, size_t which, int way, const end
   uint64_t wanted_sum = w->sum;
   uint64_t sum;
   const program *p = &programs[which];
-  long most = which % 4 == 0 ? 40 : 12; /* refuses each of the first requests, then a smaller and smaller fraction of
-                                         * them */
+  long most = which % 4 == 0 ? 40 : 12; /* refuses each of the first `most` requests, then a smaller and smaller
+                                         * fraction of the later requests */
   for (long n = 0;; n += n < most ? 1 : 1 + n / 5) {
     b->said[0] = 0;
     int before = b->told;
@@ -208,7 +209,8 @@ static void test_programs(void **state) {
   }
 }
 
-/* Tests refusals in opening an interpreter, checking whether a text is complete, completing names, and parameters. */
+/* Tests refusals while an interpreter is opened, a text is checked for completeness, names are completed, and
+ * parameters are set. */
 static void test_around(void **state) {
   (void)state;
   for (int good = 0; good < 2; good++)
@@ -249,8 +251,8 @@ static bool keep(const char *name, const unsigned char *bytes, size_t size) {
   return (!f || fclose(f) == 0) && ok;
 }
 
-/* Makes pictures for the height fields, with several chunks of compressed data, in a folder that becomes the current
- * folder. */
+/* Makes picture files for height fields, with several chunks of compressed data, in a new folder that becomes the
+ * current folder. */
 static int make_pictures(void **state) {
   static char folder[] = "/tmp/refusals-XXXXXX";
   (void)state;

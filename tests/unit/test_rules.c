@@ -38,7 +38,7 @@ static void one_deep_path(vs_store *s) {
   vs_scope_release(last);
 }
 
-/* A path of any depth is freed without recursion, and the freed memory is used again. */
+/* A path of any depth must be freed without recursion, and later paths use the freed memory. */
 static void deep_paths(void **state) {
   (void)state;
   vs_store *s = vs_store_new(NULL, NULL);
@@ -98,7 +98,7 @@ static const struct vs_deform frustum = {
   .c000 = { -2, -2, 0 }, .c100 = { 2, -2, 0 }, .c010 = { -2, 2, 0 }, .c110 = { 2, 2, 0 },
   .c001 = { -1, -1, 3 }, .c101 = { 1, -1, 3 }, .c011 = { -1, 1, 3 }, .c111 = { 1, 1, 3 } };
 
-/* Returns the volume of the node `placed`, a mesh at a place. *mesh is the mesh node. */
+/* Returns the volume of the node `placed`, a mesh with a placement. Sets *mesh to the mesh node. */
 static double volume_below(const vs_node *placed, const vs_node **mesh) {
   assert_int_equal(placed->kind, VS_TRANSFORM);
   *mesh = placed->children[0].node;
@@ -142,7 +142,7 @@ static void deformed_objects(void **state) {
   struct vs_deform other = moved(frustum, &mirror);
   vs_node *turned = vs_deformer_apply(d, &other, cube, &e);
   assert_true(fabs(volume_below(turned, &mesh[1]) - 28) < 1e-6);
-  /* if the hexahedron is a parallelepiped, the result is the placed object itself, not a mesh */
+  /* if the hexahedron is a parallelepiped, the result is the object itself with a placement, not a mesh */
   struct vs_deform slanting = frustum;
   slanting.c001 = vs_v3(-1, -2, 3), slanting.c101 = vs_v3(3, -2, 3);
   slanting.c011 = vs_v3(-1, 2, 3), slanting.c111 = vs_v3(3, 2, 3);
@@ -161,7 +161,7 @@ static void deformed_objects(void **state) {
   vs_store_release(s);
 }
 
-/* Tests that objects keep the innermost paint and layer, and their origin in the program. */
+/* Tests that deformed objects keep the innermost paint and layer, and their origin in the program. */
 static void leaves_keep_their_looks(void **state) {
   (void)state;
   vs_store *s = vs_store_new(NULL, NULL);

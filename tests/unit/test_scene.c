@@ -1,5 +1,6 @@
-/* Tests a host's use of a scene. Rays are compared with formulas. Random sequences of calls get good and bad handles.
- * Memory is refused while a GML program runs, while nodes are made, and while meshes are handed over. */
+/* Tests a host's use of a scene. Rays are compared with formulas. Random sequences of calls receive valid and
+ * invalid handles. Allocations are refused while a GML program runs, while nodes are made, and while the host
+ * receives meshes. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -68,8 +69,8 @@ static void test_rays(void **unused) {
   vs_free(s);
 }
 
-/* Makes random calls with handles that are valid, released, 0, or another interpreter's. Nothing may crash, each call
- * must return an outcome, and the interpreter must work afterwards. */
+/* Makes random calls with handles that are valid, released, 0, or from another interpreter. Nothing may crash, each
+ * call must return an outcome, and the interpreter must work afterwards. */
 enum { HELD = 24 };
 static bool called(void *context, vs_scheme *s, const vs_handle *a, size_t n, vs_handle *result) {
   (void)context;
@@ -151,7 +152,7 @@ static void test_random_calls(void **unused) {
 /* ---- refused memory ---- */
 
 typedef struct {
-  long left; /* number of allocations until one is refused; negative: none is refused */
+  long left; /* number of allocations until one is refused; negative if none is to be refused */
   size_t blocks, bytes;
 } budget;
 static void *take(void *context, void *old, size_t old_size, size_t new_size) {
@@ -172,7 +173,7 @@ static void *take(void *context, void *old, size_t old_size, size_t new_size) {
 
 static uint64_t no_material(void *context, const char *name) { return (void)context, (uint64_t)strlen(name); }
 
-/* returns true if the session succeeded */
+/* runs a session with a scene; returns true if all calls succeeded */
 static bool session(budget *b) {
   vs_options o = vs_options_default();
   o.alloc = take, o.alloc_context = b;
@@ -195,8 +196,8 @@ static bool session(budget *b) {
   return ok;
 }
 
-/* Refuses a sample of some hundred allocations of a session with a scene. test_embedding.c tests those with which every
- * session begins. */
+/* Refuses a sample of some hundred allocations of a session with a scene. test_embedding.c tests the allocations at the
+ * beginning, which all sessions have in common. */
 static void test_refused_memory(void **unused) {
   (void)unused;
   budget whole = { .left = 1000000 };
@@ -204,13 +205,14 @@ static void test_refused_memory(void **unused) {
   long count = 1000000 - whole.left, step = count / 150 + 1;
   for (long n = 0; n < count; n += step) {
     budget b = { .left = n };
-    session(&b); /* the session may succeed although a request is refused: a cache works without memory */
+    session(&b); /* does not check the result: if the refused allocation was for a cache, the session succeeds without
+                  * the cache */
     assert_int_equal(b.blocks, 0);
   }
 }
 
-/* Tests that the host's allocator provides all arrays of a mesh, including normals, so the memory limit includes these
- * arrays. The next call of the library frees them. */
+/* Tests that all arrays of a mesh, including normals, come from the host's allocator, so they count towards the memory
+ * limit. The next call of the library frees these arrays. */
 static void test_counted_meshes(void **unused) {
   (void)unused;
   budget b = { .left = -1 };

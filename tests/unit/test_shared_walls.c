@@ -1,12 +1,14 @@
 /* Tests that two sweeps along one path, whose profiles share an edge, share the wall that this edge sweeps.
  *
  * For example, a road and its kerb must neither overlap nor leave a gap. Random pairs of profiles with a common edge
- * move along random paths: plain, upright, growing, and twisted. Both sweeps have the same base point, and the fineness
- * of one drawing. The volume of their union is the sum of their volumes, their intersection is empty, and their
- * difference is the first solid, up to the kernel's grid. Two kinds of pairs may differ by a fraction of the tolerance.
- * The steps of one are twisted along a line with corners, and have other lengths in the larger profile, which leans into
- * the mitres earlier. In the other, a profile reaches farther from the path than the path's bends are wide, and has more
- * sections there. Pairs that overlap elsewhere are skipped.
+ * move along random paths: simple, upright, growing, and twisted. The two sweeps of a pair have one base point and one
+ * tolerance. The volume of their union must be the sum of their volumes, their intersection empty, and their difference
+ * the first solid, up to the kernel's grid.
+ *
+ * Two kinds of pairs may differ by a fraction of the tolerance. First, twisted sweeps along a line with corners: the
+ * larger profile leans into the mitres earlier, so its sections have other distances. Second, a profile that reaches
+ * farther from the path than the path's bends are wide: it has more sections there. Pairs that overlap elsewhere are
+ * skipped.
  *
  * Tests a sample of pairs, with LONG=1 a thousand, or those of SEEDS=FROM-TO; TELL=1 prints the results. */
 #include <setjmp.h>
@@ -61,11 +63,13 @@ static vs_node *path(vs_store *s, dice *d, bool *upright) {
 
 typedef struct { vs_node *left, *right, *whole; } profiles;
 
-/* Returns two profiles to the left and the right of an edge from p to q, and their union. */
+/* Returns two profiles, to the left and to the right of a common edge from p to q, and the union of the profiles. */
 static profiles pair_of(vs_store *s, dice *d) {
   double size = between(d, .05, .5), turn = any(d, 3) ? pi / 2 * any(d, 4) : between(d, 0, 2 * pi), left = size * between(d, .2, 3), right = size * between(d, .05, 1);
   vs_vec3 p = { size * between(d, -1, 1), size * between(d, -1, 1), 0 }, way = { cos(turn), sin(turn), 0 }, across = { -sin(turn), cos(turn), 0 }, q = vs_v3_add(p, vs_v3_scale(way, size * between(d, .2, 1)));
-  if (any(d, 4) == 0) p = vs_v3_scale(vs_v3_sub(p, q), .5), q = vs_v3_scale(p, -1); /* the base is the middle of the edge */
+  if (any(d, 4) == 0) p = vs_v3_scale(vs_v3_sub(p, q), .5), q = vs_v3_scale(p, -1); /* sometimes moves the edge so that
+                                                                                     * its middle is the base point of
+                                                                                     * the sweep */
   vs_vec3 ql = vs_v3_add(q, vs_v3_scale(across, left)), pl = vs_v3_add(p, vs_v3_scale(across, left * between(d, .5, 1))), pr = vs_v3_sub(p, vs_v3_scale(across, right)), qr = vs_v3_sub(q, vs_v3_scale(across, right * between(d, .5, 1)));
   const vs_vec3 a[] = { p, q, ql, pl }, b[] = { q, p, pr, qr }, whole[] = { p, pr, qr, q, ql, pl };
   return (profiles){ through(s, VS_LINE, a, 4, true), through(s, VS_LINE, b, 4, true), through(s, VS_LINE, whole, 6, true) };
@@ -76,8 +80,9 @@ static vs_node *swept(vs_store *s, const struct vs_sweep *way, vs_node *profile,
   return vs_node_new(s, VS_SWEEP, way, children, 2);
 }
 
-/* The part of tolerance times area by which volumes may differ where the two profiles have other sections. The seeds of
- * `known` exceed it: along lines with corners the twisted steps of the larger profile are shorter, up to .21. */
+/* Largest difference of volumes, as a fraction of tolerance times area, where the two profiles have sections at
+ * different places. The seeds of `known` exceed it, up to .21: along lines with corners, the larger profile has twisted
+ * steps that are shorter. */
 #define OTHER_SECTIONS .05
 #define KNOWN_SECTIONS .25
 static bool is_known(uint64_t seed) {
@@ -87,18 +92,19 @@ static bool is_known(uint64_t seed) {
   return false;
 }
 
-static double farthest(const vs_node *profile) { /* greatest distance of a corner from the base */
+static double farthest(const vs_node *profile) { /* returns the greatest distance of the profile's corners from the base
+                                                  * point */
   const vs_points *p = VS_AS(line, profile)->points;
   double most = 0;
   for (size_t i = 0; i < p->count; i++) most = fmax(most, vs_v3_length(p->at[i]));
   return most;
 }
 
-/* Returns true if the steps of the profiles along the line may have different lengths. */
+/* Returns true if the distances between sections along the line may differ for the two profiles. */
 static bool steps_differ(const profiles *two, const struct vs_sweep *way, const vs_node *line, const vs_fineness *f) {
   double left = farthest(two->left) * fmax(1, way->scale), right = farthest(two->right) * fmax(1, way->scale), length = 0, step = 0;
   const vs_points *p = VS_AS(line, line)->points;
-  if (vs_v3_length(way->up) > 0) return true; /* at corners the profile turns by other angles, too */
+  if (vs_v3_length(way->up) > 0) return true; /* with an up vector, the profile also rotates at the path's corners */
   for (size_t i = 1; i < p->count; i++) length += vs_v3_length(vs_v3_sub(p->at[i], p->at[i - 1]));
   for (size_t i = 1; i < p->count; i++) {
     double share = vs_v3_length(vs_v3_sub(p->at[i], p->at[i - 1])) / length;
@@ -116,7 +122,7 @@ static size_t sections_along(const vs_node *curve, const vs_fineness *f, double 
   return count;
 }
 
-/* Returns true if the two profiles have other sections along the curve. */
+/* Returns true if the sections of the two profiles may be at different places of the curve. */
 static bool sections_differ(const profiles *two, const struct vs_sweep *way, const vs_node *curve, const vs_fineness *f) {
   double left = farthest(two->left) * fmax(1, way->scale), right = farthest(two->right) * fmax(1, way->scale);
   return (way->twist != 0 && curve->kind == VS_LINE && steps_differ(two, way, curve, f)) ||

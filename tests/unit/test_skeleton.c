@@ -1,6 +1,7 @@
 /* Tests straight skeletons (roofs) of outlines with a known solution, and of random outlines with holes. For each
- * random outline, every face lies in its plane. By GEOS, the union of the faces is the outline, and the sum of their
- * areas is the outline's area. LONG=1 tests 1,000 outlines of each family, else 50. */
+ * random outline, every face of the roof is planar with the right slope. GEOS checks that the union of the faces is
+ * the outline, and that the faces' areas add up to the outline's area. LONG=1 tests 1,000 outlines of each family,
+ * else 50. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -24,7 +25,7 @@ typedef struct {
 } shape;
 
 static uint64_t seed;
-static double dice(void) { /* returns a number from 0 to below 1 */
+static double dice(void) { /* returns a random number, at least 0 and less than 1 */
   seed = seed * 6364136223846793005u + 1442695040888963407u;
   return (double)(seed >> 11) / 9007199254740992.0;
 }
@@ -64,8 +65,8 @@ static void combine(vs_area_operation operation, const vs_area *operands, size_t
   if (!vs_area_combine(operation, operands, n, "tests", out, &e)) fail_msg("%s", e.message);
 }
 
-/* Returns the area of a shape; the winding number of its edges decides what is inside. Loops may run in either
- * direction. */
+/* Computes the area of a shape in the plane; the winding number of its edges decides which points are inside. Loops may
+ * run in either direction. */
 static void shape_area(const shape *s, vs_area *out) {
   *out = (vs_area){ 0 };
   for (size_t l = 0, first = 0; l < s->loops; first += s->size[l++]) {
@@ -88,7 +89,7 @@ static void shape_area(const shape *s, vs_area *out) {
   }
 }
 
-/* Checks that the height of p is that of the roof's plane through edge e. */
+/* Checks that p lies in the plane of the roof's face above edge e. */
 static void in_plane(const shape *s, size_t e, bool left, vs_vec3 p, double size) {
   vs_vec2 a = s->at[s->from[e]], b = s->at[s->to[e]];
   double dx = b.x - a.x, dy = b.y - a.y, length = hypot(dx, dy);
@@ -102,7 +103,8 @@ static bool inside_left(const shape *s, const vs_area *whole, size_t e) {
   return vs_area_holds(whole, (a.x + b.x) / 2 - 1e-4 * dy, (a.y + b.y) / 2 + 1e-4 * dx);
 }
 
-/* Tests the faces of a shape's roof. Returns false if the speeds of the edges do not close the roof. */
+/* Tests the faces of a shape's roof. Returns false if the speeds of the edges (the inverse slopes of the faces) do not
+ * give a closed roof. */
 static bool judge(const shape *s) {
   vs_skeleton k;
   size_t where[2], areas = 0;
@@ -169,7 +171,7 @@ static void fill_corners(bool on[CELLS][CELLS]) {
   }
 }
 
-/* Makes an outline of random cells of a grid: many edges of its roof meet at the same time. */
+/* Makes an outline of random cells of a grid: as the roof grows, many edges meet at one time. */
 static void random_cells(shape *s) {
   vs_area cells[CELLS * CELLS] = { { 0 } }, joined;
   size_t n = 0;
@@ -212,7 +214,7 @@ static void many(void (*outline)(shape *), void (*speeds)(shape *), const char *
   uint64_t last = only && *only ? first : longer && *longer ? 1000 : 50, more = last == 50;
   size_t closed = 0, rings = 0;
   for (uint64_t n = first; n <= last + more; n++) {
-    uint64_t i = n <= last ? n : 266; /* GEOS loses a face of a star with this number */
+    uint64_t i = n <= last ? n : 266; /* the last run uses star number 266, of which GEOS loses a face */
     shape s = { .count = 0 };
     vs_skeleton k;
     size_t where[2];
@@ -238,7 +240,7 @@ FAMILY(test_cells_of_few_speeds, random_cells, few_speeds)
 FAMILY(test_stars_with_gables, random_stars, gables)
 FAMILY(test_cells_with_gables, random_cells, gables)
 
-/* ---- roofs with a known height ---- */
+/* ---- roofs whose height is known ---- */
 
 static double top(const shape *s) {
   vs_skeleton k;
@@ -260,8 +262,8 @@ static void test_closed_forms(void **state) {
   assert_true(fabs(top(&s) - 2) < 1e-12 && judge(&s)); /* vertical gables at two ends do not change the height of the
                                                         * ridge */
   s.speed[0] = 3;
-  assert_true(fabs(top(&s) - 1) < 1e-12 && judge(&s)); /* slopes with the speeds 3 and 1 meet at the time t = 1, since 3
-                                                        * t + t is the width 4 */
+  assert_true(fabs(top(&s) - 1) < 1e-12 && judge(&s)); /* faces with the speeds 3 and 1 meet at the height t = 1, since
+                                                        * 3 t + t equals the width 4 */
   s.speed[0] = s.speed[2] = 0, s.speed[1] = 2;
   assert_true(fabs(top(&s) - 3) < 1e-12 && judge(&s)); /* a shed roof: a single sloping side */
   s.speed[1] = 0;
@@ -273,8 +275,8 @@ static void test_closed_forms(void **state) {
   assert_true(fabs(top(&s) - 0.5) < 1e-12 && judge(&s)); /* a ring of width 1 has a roof of height 1/2 */
 }
 
-static void test_steps(void **state) { /* two edges on one line with different speeds: a vertical step is between their
-                                        * faces */
+static void test_steps(void **state) { /* two edges on one line have different speeds, so a vertical step separates
+                                        * their faces */
   (void)state;
   shape s = { .count = 0 };
   vs_vec2 box[] = { { 0, 0 }, { 3, 0 }, { 6, 0 }, { 6, 4 }, { 0, 4 } };

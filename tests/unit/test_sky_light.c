@@ -47,9 +47,9 @@ static void test_formulas(void **state) {
   }
 }
 
-/* On a clear day of the Society (Lighting Handbook, 8th edition), the sun gives 127.5 klx exp(-0.21 / sin a) on a
- * surface that faces it, where a is its altitude. A turbidity of 2 matches this. The sky gives 0.8 + 15.5 sqrt(sin a)
- * klx on a horizontal surface, which the model is known to exceed (G. Zotti, A. Wilkie and W. Purgathofer, A Critical
+/* For a clear day, the Society's Lighting Handbook (8th edition) gives 127.5 klx exp(-0.21 / sin a) for a surface that
+ * faces the sun at altitude a. A turbidity of 2 gives nearly this value. For the sky on a horizontal surface it gives
+ * 0.8 + 15.5 sqrt(sin a) klx, which the model is known to exceed (G. Zotti, A. Wilkie and W. Purgathofer, A Critical
  * Review of the Preetham Skylight Model, WSCG 2007). */
 static void test_daylight(void **state) {
   (void)state;
@@ -88,8 +88,8 @@ static void test_overcast(void **state) {
   }
 }
 
-/* Civil twilight ends when daylight is 3.4 lx, nautical twilight at 0.008 lx; at sunrise it is 760 lx (Circular
- * 171). */
+/* Daylight is 3.4 lx when civil twilight ends, 0.008 lx when nautical twilight ends, and 760 lx at sunrise (US Naval
+ * Observatory, Circular 171). */
 static void test_twilight(void **state) {
   (void)state;
   near_to(vs_sky_light_twilight(-6) * 758.6, 3.4, 0.03);
@@ -120,8 +120,8 @@ static void test_night(void **state) {
   assert_true(luminance(vs_sky_light_sun_of_scene(&scene, towards(50, 0))) == 0);
 }
 
-/* Below the horizon, at the limits of the parameters, and straight up and down all values are finite. The night has no
- * sun. */
+/* Tests that all values are finite: below the horizon, at the limits of the parameters, and straight up and down. The
+ * night has no sun. */
 static void test_limits(void **state) {
   (void)state;
   assert_true(luminance(vs_sky_light_sun(3, 0)) == 0 && luminance(vs_sky_light_sun(3, -20)) == 0);

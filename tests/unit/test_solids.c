@@ -1,4 +1,5 @@
-/* Tests geometry/'s solids: closed, facing outwards, without splinters, and with the volume that a formula gives. */
+/* Tests geometry/'s solids: each mesh is closed, faces outwards, has no splinters (very thin triangles), and has the
+ * volume that a formula gives. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -15,7 +16,7 @@ static const vs_fineness fine = { 1e-4, 0 };
 
 #define NODE(lower, upper, ...) vs_node_new(s, VS_##upper, &(struct vs_##lower){ __VA_ARGS__, 0 }, NULL, 0)
 
-/* Checks the mesh of n, and its volume within a relative tolerance. Releases n. */
+/* Checks the mesh of n, and compares its volume with `volume`, within a relative tolerance. Releases n. */
 static void check(vs_node *n, const vs_fineness *f, double volume, double relative) {
   vs_mesh m = { 0 };
   vs_error e = { 0 };
@@ -50,7 +51,8 @@ static void volumes(void **state) {
   check(NODE(pyramid, PYRAMID, p, 2, 4, q, 0), &fine, 8 * length / 3, 1e-14);
   check(NODE(pyramid, PYRAMID, p, 2, 5, q, 2), &fine, 2.5 * 4 * sin(2 * pi / 5) * length, 1e-14);
   check(NODE(torus, TORUS, p, 3, 1, 0), &fine, 2 * pi * pi * 3, 5e-4);
-  check(NODE(torus, TORUS, p, 1, 1, 0), &fine, 2 * pi * pi, 5e-4); /* the torus touches itself in a single point */
+  check(NODE(torus, TORUS, p, 1, 1, 0), &fine, 2 * pi * pi, 5e-4); /* the torus touches itself in its centre, a single
+                                                                    * point */
   double a = acos(-0.5); /* a torus whose tube is thicker than the radius of its ring: the solid is the part of the disc
                           * on one side of the axis, revolved about the axis (Pappus) */
   check(NODE(torus, TORUS, p, 1, 2, 0), &fine, 2 * pi * (4 * a - 4 * sin(a) * cos(a) + 2.0 / 3 * 8 * pow(sin(a), 3)), 6e-4);
@@ -124,8 +126,8 @@ static void on_the_axis(void **state) {
   f = vs_frame_on_axis(vs_v3(0, 0, 0), vs_v3(0.1, 0, 0));
   assert_true(vs_v3_equal(vs_affine_vector(&f, vs_v3(1, 0, 0)), vs_v3(0, 0, -1)));
   assert_true(vs_v3_equal(vs_affine_vector(&f, vs_v3(0, 0, 1)), vs_v3(1, 0, 0)));
-  for (int i = 0; i < 500; i++) { /* coordinate frames are orthonormal, right-handed, and have the given Z axis, even
-                                   * very close to -Z */
+  for (int i = 0; i < 500; i++) { /* the coordinate frames must be orthonormal, right-handed, and have the given Z axis,
+                                   * even if that axis is very close to -Z */
     double w = pow(10, -(i % 14)), phi = i;
     vs_vec3 d = vs_v3_unit(vs_v3(w * cos(phi), w * sin(phi), i & 1 ? -1 : 0.3));
     f = vs_frame_on_axis(vs_v3(0, 0, 0), d);

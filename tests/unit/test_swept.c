@@ -25,7 +25,7 @@ static vs_node *polyline(vs_store *s, const vs_vec3 *at, size_t n, bool closed) 
   return line;
 }
 
-/* Returns a new node and takes over the references to its children, as the next functions do. */
+/* Returns a new node of the kind with the children a and b. Takes over the references to them. */
 static vs_node *over(vs_store *s, vs_kind kind, const void *data, vs_node *a, vs_node *b) {
   vs_ref refs[2] = { { a, NULL }, { b, NULL } };
   vs_node *n = vs_node_new(s, kind, data, refs, b ? 2 : 1);
@@ -88,7 +88,8 @@ static void sweeps(void **state) {
   vs_store *s = vs_store_new(NULL, NULL);
   struct vs_sweep plain = { .scale = 1 }, half = { .scale = 0.5 }, none = { .scale = 0 }, turned = { .scale = 1, .twist = 2 * pi };
   vs_vec3 corner[] = { { 0, 0, 0 }, { 10, 0, 0 }, { 10, 10, 0 }, { 10, 10, 10 } }, straight[] = { { 1, 1, 1 }, { 4, 5, 1 } };
-  /* the centroid moves on the path: with mitred corners, the volume is area times length, wherever the profile lies */
+  /* the sweep moves the profile's centroid onto the path; with mitred corners, the volume is therefore area times
+   * length, wherever the profile lies */
   check(over(s, VS_SWEEP, &plain, square_at(s, 7, 8, 9, 1), polyline(s, corner, 4, false)), 30, 1e-13);
   check(over(s, VS_SWEEP, &plain, square_at(s, 7, 8, 9, 1), square_at(s, 0, 0, 0, 10)), 40, 1e-13);
   check(over(s, VS_SWEEP, &half, square_at(s, 7, 8, 9, 2), polyline(s, straight, 2, false)), 5 * 4 * 1.75 / 3, 1e-13);
@@ -149,7 +150,7 @@ static void splines_pass_through_their_points(void **state) {
     }
     assert_int_equal(found, 4);
     assert_true(line.closed == closed && sharpest < 0.3); /* the spline has no sharp angle at its points; a closed
-                                                           * spline has none at its ends either */
+                                                           * spline has none where its ends join */
     vs_polyline_free(&line);
     vs_node_release(n);
   }
@@ -171,8 +172,8 @@ static bool never(void *asked, const char *stage, double done) {
   return ++*(size_t *)asked, false;
 }
 
-/* Tests that lofts poll for an interrupt: while they search for the least twist, about once per point, and while they
- * fill rows. */
+/* Tests that lofts poll for an interrupt: about once per point while they search for the least twist, and while they
+ * make rows of faces. */
 static void lofts_are_interrupted(void **state) {
   (void)state;
   static const int segments[3][2] = { { 4000, 4000 }, { 300, 301 }, { 40000, 40001 } };
@@ -189,7 +190,8 @@ static void lofts_are_interrupted(void **state) {
     vs_job job = { .going = never, .context = &asked };
     vs_store_set_job(s, &job);
     bool made = vs_tessellate(n, &f, &m, &e);
-    assert_true(made == (i == 1)); /* only the small loft ends before its first poll */
+    assert_true(made == (i == 1)); /* the small loft is complete before its first poll, the other lofts are
+                                    * interrupted */
     assert_int_equal(asked, !made);
     if (!made) assert_int_equal(e.kind, VS_ERROR_INTERRUPT);
     vs_store_set_job(s, NULL);

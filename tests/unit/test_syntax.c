@@ -1,4 +1,4 @@
-/* Tests reading and expanding from C: the errors of a text, with place and wording; and whether a text is
+/* Tests the reader and the expander from C: the place and wording of each error in a text, and whether a text is
  * complete. */
 #include <setjmp.h>
 #include <stdarg.h>

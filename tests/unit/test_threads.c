@@ -1,6 +1,6 @@
-/* Tests threads. Interpreters share nothing: several threads, each with an interpreter, write the bytes that a single
- * thread writes, while another thread interrupts one of them. No thread that the library starts receives a signal of
- * the host. `make tsan` runs it under the thread sanitizer. */
+/* Tests threads. Interpreters share nothing: several threads, each with an interpreter, must write the bytes that a
+ * single thread writes, while another thread interrupts one of the interpreters. No thread that the library starts
+ * receives a signal of the host. `make tsan` runs this test under the thread sanitizer. */
 #define _GNU_SOURCE /* for gettid, pthread_tryjoin_np */
 #include <dirent.h>
 #include <pthread.h>
@@ -29,7 +29,8 @@ typedef struct {
   print of[32];
   vs_outcome outcome;
   size_t formats;
-  size_t hits, meshes, gizmos, changes; /* numbers of the scene's events that the host has received */
+  size_t hits, meshes, gizmos, changes; /* hits, meshes, gizmos, changes: numbers of events of each kind that the host
+                                         * has received */
   double distance, width;
 } result;
 
@@ -46,7 +47,7 @@ static const char model[] =
     "(draw (make-isosurface ball (xyz -2 -2 -2) (xyz 2 2 2)))"
     "(twice (display (volume (tower 0)))) (guard (e (#t (display e))) (car 5))";
 
-static bool add(void *context, const void *bytes, size_t count) { /* updates the hash FNV-1a */
+static bool add(void *context, const void *bytes, size_t count) { /* adds the bytes to the hash FNV-1a of the output */
   print *p = context;
   const unsigned char *b = bytes;
   for (size_t i = 0; i < count; i++) p->sum = (p->sum ^ b[i]) * 1099511628211u;
@@ -98,7 +99,7 @@ static void hold_scene(vs_scheme *s, result *r) {
   vs_gizmos(s, take_gizmo, r);
   vs_pick(s, (double[]){ -30, 0.3, 60.4 }, (double[]){ 1, 0, 0 }, take_hit, r);
   vs_handle_release(s, rig);
-  vs_meshes_forget(s); /* forgets the meshes of the previous turn */
+  vs_meshes_forget(s); /* removes the meshes of the previous run, so that the library returns all of them again */
   if (vs_meshes_begin(s, NULL) != VS_OUTCOME_DONE) return;
   while (vs_mesh_next(s, &m)) r->meshes++;
 }
@@ -132,8 +133,8 @@ static void test_apart(void **state) {
   assert_in_range(alone.formats, 8, 32);
   assert_int_equal(alone.hits, 3);
   assert_int_equal(alone.gizmos, 1);
-  assert_int_equal(alone.changes, 21); /* changes of value: from 4 to 4.0 in steps of a quarter, and those that the host
-                                        * posted */
+  assert_int_equal(alone.changes, 21); /* the value changes from 4 to 4.0 in steps of a quarter, and by the changes that
+                                        * the host posted: 21 in all */
   assert_true(alone.width == 1 && alone.meshes == 6);
   for (int i = 0; i < THREADS; i++) assert_int_equal(pthread_create(&threads[i], NULL, make, &together[i]), 0);
   for (int i = 0; i < THREADS; i++) assert_int_equal(pthread_join(threads[i], NULL), 0);
@@ -160,7 +161,7 @@ static void test_interrupted(void **state) {
   vs_free(s);
 }
 
-static atomic_int host; /* number of the thread that evaluates */
+static atomic_int host; /* thread id of the thread that evaluates the program */
 
 static void *evaluate(void *s) {
   static const char solids[] =
@@ -170,11 +171,11 @@ static void *evaluate(void *s) {
   return vs_eval_text(s, "solids", 1, solids, sizeof solids - 1, 0) == VS_OUTCOME_DONE ? s : NULL;
 }
 
-/* Returns true if this thread of the process does not block the signal. A thread that has ended receives none. */
+/* Returns true if this thread of the process does not block the signal. For a thread that has ended returns false. */
 static bool hears(const char *thread, int signal_number) {
   char path[300], line[200];
   unsigned long long held = ~0ull;
-  int threads = 0; /* number of threads by the status file; 0 for a thread that has just ended */
+  int threads = 0; /* number of threads in the process's status file; 0 if the thread has just ended */
   snprintf(path, sizeof path, "/proc/self/task/%s/status", thread);
   FILE *f = fopen(path, "r");
   while (f && fgets(line, sizeof line, f)) sscanf(line, "Threads: %d", &threads), sscanf(line, "SigBlk: %llx", &held);
@@ -182,7 +183,7 @@ static bool hears(const char *thread, int signal_number) {
   return threads > 0 && !(held >> (signal_number - 1) & 1);
 }
 
-/* Tests that signals reach the host's threads, and no thread that the library has started. */
+/* Tests that signals reach only the host's threads, not the threads that the library has started. */
 static void test_signals(void **state) {
   (void)state;
   pthread_t thread;

@@ -68,7 +68,7 @@ static void objects_survive_and_move(void **state) {
     assert_true(vs_make_vector(vm, 1000000, VS_NIL, &r[2]));
     r[2] = VS_NIL;
     vs_gc_major(vm);
-    assert_true(vm->bytes <= before + (2u << 20));      /* the memory of the large vector has been freed */
+    assert_true(vm->bytes <= before + (2u << 20));      /* the large vector's memory is no longer in use */
     assert_true(vs_gc_check(vm));
   }
   vs_close_vm(vm);
@@ -86,8 +86,8 @@ static void foreign_objects_are_released_once(void **state) {
   {
     VS_ROOTS(vm, r, 1);
     for (int i = 0; i < 1000; i++) assert_true(vs_make_foreign(vm, &thing, &object, 1 << 20, &r[0]));
-    assert_true(released > 900);                        /* the bytes that the foreign objects report were enough to
-                                                         * cause collections */
+    assert_true(released > 900);                        /* the objects were freed: the bytes that foreign objects report
+                                                         * count as memory, and thus cause collections */
     int soon = released;
     vs_gc_major(vm);
     assert_int_equal(released, 999);
@@ -176,8 +176,7 @@ static void programs(void **state) {
   }
 }
 
-/* Tests procedures with more variables, and calls with more arguments, than the operand of an instruction can
- * number. */
+/* Tests procedures with more variables, and calls with more arguments, than fit the operand of an instruction. */
 static void wide_frames(void **state) {
   (void)state;
   vs_scheme *vm = open_plain();

@@ -1,9 +1,9 @@
-/* Tests that welding removes details smaller than a grid step from a mesh, and changes nothing else.
+/* Tests that welding removes details smaller than a step of the grid from a mesh, and changes nothing else.
  *
  * The test splits the edges of a cube again and again, near their ends and in their middles, and displaces every new
- * corner slightly. The mesh then has hundreds of needles, crumbs and folds. After welding it must be closed, without
- * short edges and low triangles. Its winding number at each point must be as before, except within some steps of its
- * surface. */
+ * corner slightly. The mesh then has hundreds of very thin triangles, tiny triangles and folds. After welding it must
+ * be closed, without short edges and thin triangles. Its winding number at each point must be as before, except within
+ * a few steps of its surface. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -29,7 +29,7 @@ static vs_mesh cube(void) {
   return m;
 }
 
-/* Splits an edge of a triangle at a new corner near the edge, in all triangles with this edge. */
+/* Splits a random edge at a new corner near the edge, in all triangles that have this edge. */
 static void split(vs_mesh *m, dice *d) {
   static const double parts[] = { 1e-9, 1e-5, 1e-4, .3, .5, .9999 };
   uint32_t *t = m->triangles[throw(d) % m->triangle_count], a = t[0], b = t[1], c;
@@ -95,7 +95,7 @@ static void welded_meshes_have_no_details(void **state) {
   }
 }
 
-/* Tests that welding keeps details larger than a step, corner by corner. */
+/* Tests that welding keeps details larger than a step of the grid: no corner changes. */
 static void welding_keeps_the_rest(void **state) {
   (void)state;
   vs_mesh m = cube(), w = cube();

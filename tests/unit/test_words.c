@@ -1,4 +1,4 @@
-/* Tests the tables that list names of the language. Each procedure must have words for vs translate, or be listed as
+/* Tests the tables that list names of the language. Each procedure must have words for `vs translate`, or be listed as
  * untranslated. Each table must list only names that exist. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -10,7 +10,8 @@
 
 #include "visualscheme.h"
 
-static const char *const procedures[] = { /* each string has one or more names, separated by spaces */
+static const char *const procedures[] = { /* each string contains one or more names of a procedure, separated by
+                                           * spaces */
 #define PROC(id, name, ...) name,
 #define PROCS(id, name, ...) name,
 #include "bind/procedures.def"
@@ -24,7 +25,8 @@ static const char *const translated[] = {
 #include "languages/translate/translated_words.def"
 };
 
-static const char *const untranslated[] = { /* each string has one or more names, separated by spaces */
+static const char *const untranslated[] = { /* each string contains one or more names of a procedure, separated by
+                                             * spaces */
 #define TR_WORD(name, ...)
 #define TR_NONE(names) names,
 #include "languages/translate/translated_words.def"
@@ -48,7 +50,7 @@ static const char *const instead[] = {
 
 #define COUNT(list) (sizeof list / sizeof *list)
 
-/* Returns true if one of the names in `name`, separated by spaces, is on the list. */
+/* Returns true if one of the space-separated names in `name` is on the list. */
 static bool is_in(const char *name, const char *const *list, size_t count) {
   for (const char *at = name; *at; at += strcspn(at, " "), at += strspn(at, " ")) {
     size_t length = strcspn(at, " ");
@@ -71,8 +73,9 @@ static void test_words(void **state) {
   assert_int_equal(wrong, 0);
 }
 
-/* Returns the number of words of the list that are not defined in s, and prints them. With `sentences`, rows named by a
- * sentence belong to the translator itself and are skipped, and js: begins a name that only scripts have. */
+/* Returns the number of words of the list that are not defined in s, and prints these words. With `sentences`, ignores
+ * rows of the table that are named by a sentence: they belong to the translator itself. The prefix js: marks a name
+ * that only scripts have. */
 static int unknown(vs_scheme *s, const char *table, const char *const *list, size_t count, bool sentences) {
   int wrong = 0;
   for (size_t i = 0; i < count; i++) {

@@ -28,10 +28,10 @@ typedef struct {
   said heard;
   char why[900];
   unsigned line;
-  const char *file;                /* file name that error messages show for the texts; NULL: model */
+  const char *file;                /* file name that error messages show for the texts; NULL means "model" */
   bool volumes;                    /* whether to measure volumes and to write two more formats, which takes most of the
                                     * time */
-  const vs_output_options *output; /* options for writing; NULL: the defaults */
+  const vs_output_options *output; /* options for writing; NULL means the defaults */
 } trial;
 
 static void hear(void *context, const vs_diagnostic *d) {
@@ -97,7 +97,8 @@ static void release(written *w) {
   *w = (written){ .volume = 0 };
 }
 
-/* Writes the drawing in the format, and reads mesh number `which` back. Returns false if it was not written. */
+/* Writes the drawing in the format, and reads mesh number `which` from the written file. Returns false if the drawing
+ * was not written. */
 static bool write_as(trial *t, const char *suffix, size_t which, written *out, bool *more) {
   char path[100];
   *more = false;
@@ -137,8 +138,8 @@ static inline double winding(const written_mesh *s, const double p[3], double *n
       dots[j] = v[j][0] * v[(j + 1) % 3][0] + v[j][1] * v[(j + 1) % 3][1] + v[j][2] * v[(j + 1) % 3][2];
     sum += 2 * atan2(det, length[0] * length[1] * length[2] + dots[0] * length[2] + dots[1] * length[0] +
                               dots[2] * length[1]);
-    /* For a triangle that appears large from p, the distance of its plane. Otherwise a bound computed from its corners.
-     * Neither exceeds the true distance. */
+    /* If the triangle appears large from p, the distance of p from the triangle's plane; otherwise a bound computed
+     * from the corners. Neither exceeds the distance of p from the triangle. */
     double plane = size > 0 ? fabs(det) / sqrt(size) : 0, longest = 0;
     for (int k = 0; k < 3; k++) longest = fmax(longest, fmax(fabs(e[k]), fabs(f[k])));
     *nearest = fmin(*nearest, fmax(plane, fmin(length[0], fmin(length[1], length[2])) - 2 * longest));
@@ -166,9 +167,9 @@ static void begin(trial *t, size_t cache) {
   assert_non_null(t->vm);
 }
 
-/* Prints the program of a seed for which `fails` returned true, and then the smallest part of it for which `fails`
- * still returns true. `why` is the reason, which `fails` writes; label is printed before the seed. With NOSHRINK=1,
- * prints the program alone. */
+/* Prints the program of a seed for which `fails` returned true, and then the smallest part of the program for which
+ * `fails` still returns true. `why` is the reason, which `fails` writes; `label` is printed before the seed. With
+ * NOSHRINK=1, prints only the program. */
 static void report_seed(const char *label, unsigned long long seed, char text[MODEL_ROOM],
                         bool (*fails)(void *context, const char *text), void *context, const char *why) {
   fprintf(stderr, "%sseed %llu: %s\n%s\n", label, seed, why, text);
