@@ -507,8 +507,8 @@ static void test_texts_refused(void **state) {
   free(want.at);
 }
 
-/* The cache's key of a spline has its points first, then its tangents and other fields. Tests that a list of points of
- * any length leaves enough room for these fields. */
+/* The cache's key of a spline contains the spline's points first, then its tangents and other fields. Tests that a list
+ * of points of any length leaves enough room in the key for these fields. */
 static void test_payload_room(void **state) {
   (void)state;
   vs_store *s = vs_store_new(NULL, NULL);
@@ -521,7 +521,8 @@ static void test_payload_room(void **state) {
     for (int i = 0; i < 3; i++) {
       vs_reuse_put_payload(&r, vs_kind_get(VS_SPLINE), &spline);
       assert_true(r.count <= r.room);
-      /* 1 + 3 * count numbers of points, 1 for closed, 6 of tangents, 1 of segments */
+      /* numbers in the key of a spline: 1 for the count of points, 3 for each point, 1 for `closed`, 6 for tangents, 1
+       * for segments */
       assert_int_equal(r.count, (size_t)(i + 1) * (1 + 3 * (size_t)count + 1 + 6 + 1));
     }
     assert_false(r.unfit);

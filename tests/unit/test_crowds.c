@@ -1,4 +1,4 @@
-/* Tests large numbers of things: many solids in one place, vertices with very many triangles, and tables of very many
+/* Tests large numbers of objects: many solids in one place, vertices with very many triangles, and tables of very many
  * meshes. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -20,7 +20,7 @@
 #include "tests/oracle/sx.c"
 #include "visualscheme.h"
 
-/* ---- crowds ---- */
+/* ---- crowds: many solids in one place ---- */
 
 static void near(double a, double b, double relative) {
   if (fabs(a - b) > relative * fmax(1, fabs(b))) fail_msg("%.17g is not %.17g", a, b);
@@ -37,8 +37,8 @@ static double area_of(const vs_mesh *m, uint32_t tag) {
   return sum;
 }
 
-/* Evaluates the expression in a single step, then level by level of the tree with one thread and with three. Volumes,
- * and the area of each leaf's part of the surface, must be equal. The number of threads must not change any byte. */
+/* Evaluates the expression in a single step, then level by level of its tree, with one thread and with three. Volumes,
+ * and the area of each operand's part of the surface, must be equal. The number of threads must not change any byte. */
 static void check_levels(const char *text) {
   sx_problem p;
   assert_true(sx_parse(text, &p));
@@ -62,7 +62,8 @@ static void check_levels(const char *text) {
   sx_free(&p);
 }
 
-/* Returns a text of `count` copies of the solid `form`, each rotated differently about a common centre. */
+/* Returns a text: `before`, then `count` copies of the solid `form`, each rotated differently about a common centre,
+ * then `after`. */
 static char *turned(const char *before, const char *form, int count, double by, const char *after) {
   char *text = malloc(200 * (size_t)count + 400), *to = text;
   assert_non_null(text);
@@ -78,16 +79,17 @@ static void test_levels(void **state) {
   (void)state;
   static const struct { const char *before, *form, *after; int count; double by; } crowds[] = {
     { "(union", "(cbox 10 10 10)", ")", 12, 0.002 },
-    { "(union", "(cbox 10 10 10)", ")", 12, 9 },                                            /* far apart, so that much of
+    { "(union", "(cbox 10 10 10)", ")", 12, 9 },                                            /* solids rotated by large
+                                                                                             * angles, so that much of
                                                                                              * each solid is visible */
     { "(union", "(translate 0 0 -10 (cyl 20 0.3 0.3 8))", " (translate 3 3 3 (sphere 1 12)))", 12, 13 },
-    /* a box minus many cylinders: the cylinders are united first */
+    /* a box from which many cylinders are subtracted: the kernel unites the cylinders first */
     { "(difference (cbox 8 8 8)", "(translate 0 0 -10 (cyl 20 0.3 0.3 8))", ")", 12, 13 },
-    /* no leaf can be computed early, so all leaves are computed in one step */
+    /* no operand can be combined before the others, so all are combined in one step */
     { "(intersection (cbox 9.5 9.5 9.5) (union", "(cbox 10 10 9)", "))", 10, 3 },
-    /* a leaf that cannot be computed early, beside leaves that can */
+    /* a difference that must be combined last, beside boxes that can be combined level by level */
     { "(union (difference (cbox 12 12 12) (cbox 11 11 30))", "(cbox 10 10 10)", ")", 8, 5 },
-    /* coplanar faces throughout */
+    /* boxes rotated by quarter turns, so that many faces are coplanar */
     { "(union", "(cbox 10 10 10)", ")", 5, 90 },
     /* the spheres have so many facets that several threads intersect them; the table of new points must grow
      * repeatedly */
@@ -100,8 +102,8 @@ static void test_levels(void **state) {
   }
 }
 
-/* Tests a hundred and sixty boxes at the same place, whose faces all intersect. Computed in a single step, millions of
- * lines of intersection would cross each other, which needs several gigabytes. */
+/* Tests a hundred and sixty boxes at one place, whose faces all intersect. The kernel must combine them level by level:
+ * in a single step, millions of lines of intersection would cross each other, which needs several gigabytes. */
 static void test_crowd_is_found(void **state) {
   (void)state;
   char *text = turned("(union", "(cbox 10 10 10)", 160, 0.00071, ")");
@@ -123,9 +125,9 @@ enum { CONE, FOLDED, TWICE, SADDLE, OPEN };
 
 static vs_vec3 corner_of(const void *mesh, uint32_t vertex) { return ((const vs_mesh *)mesh)->vertices[vertex]; }
 
-/* Tests triangles around vertex 0 of a mesh, called a hub: a cone of n sides; a cone with a side that folds back over
- * its neighbour; a cone that goes around twice; a cone whose rim goes up and down; a cone with a gap. Returns true if
- * the kernel proves that all triangles are disjoint. */
+/* Returns true if the kernel proves that all triangles around vertex 0, called a hub, are disjoint. `what` selects the
+ * mesh: a cone of n sides (CONE); a cone with a side that folds back over its neighbour; a cone that goes around twice;
+ * a cone whose rim goes up and down; a cone with a gap. */
 static bool is_proven(int what, uint32_t n) {
   vs_mesh m = { 0 };
   uint32_t id;
@@ -148,7 +150,8 @@ static bool is_proven(int what, uint32_t n) {
     proven += hubs.of.at[t] == 0;
   }
   assert_true(proven == 0 || proven == m.triangle_count);
-  assert_int_equal(hubs.edges, proven); /* each triangle is proven disjoint from the next triangle */
+  assert_int_equal(hubs.edges, proven); /* around the hub there are as many edges as proven triangles: each triangle
+                                         * shares an edge with the next */
   assert_int_equal(hubs.corners.count, proven > 0);
   vs_hubs_free(&k, &hubs);
   assert_int_equal(k.bytes, 0);
@@ -165,12 +168,12 @@ static void test_hubs(void **state) {
     assert_true(is_proven(SADDLE, n));
     assert_false(is_proven(OPEN, n));
   }
-  assert_false(is_proven(CONE, 60)); /* a hub with as few as 60 triangles is not proven; its triangles are tested in
-                                      * pairs */
+  assert_false(is_proven(CONE, 60)); /* a vertex with only 60 triangles is not treated as a hub; its triangles are
+                                      * tested in pairs */
 }
 
 /* Adds a cone with the apex `tip`, and a rim of n vertices around `middle`. The rim's radius varies by the fraction
- * `waves` of itself. */
+ * `waves`. */
 static void add_cone(vs_mesh *m, vs_vec3 tip, vs_vec3 middle, double radius, double waves, uint32_t n, bool inwards) {
   uint32_t hub, first = (uint32_t)m->vertex_count + 1, id;
   assert_true(vs_mesh_add_vertex(m, tip, &hub));
@@ -184,8 +187,8 @@ static void add_cone(vs_mesh *m, vs_vec3 tip, vs_vec3 middle, double radius, dou
   }
 }
 
-/* Returns the number of families of the mesh's triangles, or 0 if some triangle belongs to no hub (a vertex with very
- * many triangles). Any two triangles of a family share an edge or are proven disjoint. */
+/* Returns the number of families of the mesh's triangles: any two triangles of a family share an edge or are proven
+ * disjoint. Returns 0 if any triangle belongs to no hub (a vertex with very many triangles). */
 static size_t families_in(vs_mesh *m) {
   vs_kernel_options options = { .threads = 1 };
   vs_kernel_error e = { 0 };
@@ -196,7 +199,8 @@ static size_t families_in(vs_mesh *m) {
   int shared;
   assert_true(vs_hubs_find(&k, &fans, &hubs));
   assert_int_equal(hubs.of.count, m->triangle_count);
-  bool all = hubs.edges == m->triangle_count; /* whether each hub is proven separately */
+  bool all = hubs.edges == m->triangle_count; /* whether the hubs have together as many edges as the mesh has triangles,
+                                               * so that each triangle belongs to a hub */
   for (uint32_t a = 0; a < m->triangle_count; a++) {
     count += a == 0 || hubs.of.at[a] > hubs.of.at[a - 1];
     for (uint32_t b = 0; b < a; b++) {
@@ -223,10 +227,10 @@ static size_t two_cones(vs_vec3 tip, vs_vec3 middle, double radius, double waves
 static void test_hubs_in_hubs(void **state) {
   (void)state;
   for (int inwards = 0; inwards < 2; inwards++) {
-    /* two cones that form a thin shell */
+    /* an outer and an inner cone that form a thin shell are one family */
     assert_int_equal(two_cones(vs_v3(0, 0, 1.99), vs_v3(0, 0, 0), 0.99, 0, inwards), 1);
     assert_int_equal(two_cones(vs_v3(0.1, 0.2, 1), vs_v3(0.1, 0, 0.2), 0.5, 0, inwards), 1);
-    /* the second cone's tip is below the first cone's rim */
+    /* the second cone lies below the first cone's rim, so the cones are one family */
     assert_int_equal(two_cones(vs_v3(0, 0, -3), vs_v3(0, 0, -1), 1.3, 0, inwards), 1);
     /* the inner cone's wall passes through the outer cone's tip */
     assert_int_equal(two_cones(vs_v3(0, 0, 2.01), vs_v3(0, 0, 0), 0.5, 0, inwards), 2);
@@ -243,11 +247,12 @@ static void test_hubs_in_hubs(void **state) {
   }
   vs_mesh m = { 0 };
   for (int i = 0; i < 4; i++) add_cone(&m, vs_v3(1e3, 0, 2 - 0.01 * i), vs_v3(1e3, 0, 0), 1 - 0.02 * i, 0, 80, i % 2);
-  /* the walls of the two cones intersect */
+  /* two cones beside each other, whose walls intersect */
   add_cone(&m, vs_v3(1e3 + 0.9, 0, 1.5), vs_v3(1e3 + 0.9, 0, 0), 0.5, 0, 80, false);
   assert_int_equal(families_in(&m), 2);
   size_t within = 0, apart = 0;
-  for (uint32_t i = 0; i < 300; i++) { /* random cones: the kernel must never prove cones disjoint that intersect */
+  for (uint32_t i = 0; i < 300; i++) { /* random pairs of cones: if the cones intersect, the kernel must not prove them
+                                        * disjoint */
     double at[6];
     for (int j = 0; j < 6; j++) at[j] = (double)((i * 6 + (uint32_t)j + 1) * 2654435761u % 1000) / 1000;
     vs_vec3 tip = vs_v3(at[0] - 0.5, at[1] - 0.5, 2 * at[2]), middle = vs_v3(at[3] - 0.5, at[4] - 0.5, 0);
@@ -257,8 +262,9 @@ static void test_hubs_in_hubs(void **state) {
   assert_true(within > 20 && apart > 20);
 }
 
-/* Makes a cup of 2 fans and 4 rings. The fans have their hubs at the centres of the cup's inner and outer bottom; walls
- * join the rings. The cup is not star-shaped about its centre, so the search tests its triangles pair by pair. */
+/* Makes a cup of 2 discs, each a fan of triangles around its centre (a hub), and 4 rings of vertices that walls join.
+ * The discs are the inner and the outer bottom. The cup is not star-shaped about its centre, so the search for
+ * self-intersections tests its triangles pair by pair. */
 static void make_cup(vs_mesh *m, uint32_t n) {
   static const double radius[4] = { 5, 5, 4, 4 }, height[4] = { 0, 10, 10, 1 };
   uint32_t id;
@@ -285,8 +291,8 @@ static bool is_good(const vs_mesh *m) {
   return flaws.wound_count == 0;
 }
 
-/* The search for self-intersections still tests triangles of one hub against those of another hub and against the
- * walls. A fan that folds over itself is not a hub. */
+/* The search for self-intersections must test the triangles of a hub against those of another hub and against the
+ * walls. A fan of triangles that folds over itself is not a hub. */
 static void test_meshes_with_hubs(void **state) {
   (void)state;
   enum { SIDES = 400 };
@@ -294,13 +300,14 @@ static void test_meshes_with_hubs(void **state) {
   make_cup(&m, SIDES);
   assert_true(is_good(&m));
   vs_vec3 was = m.vertices[1];
-  m.vertices[1] = vs_v3(0, 0, -1); /* moves the inner bottom through the outer bottom */
+  m.vertices[1] = vs_v3(0, 0, -1); /* moves the centre of the inner bottom through the outer bottom */
   assert_false(is_good(&m));
-  m.vertices[1] = vs_v3(0, 6, 3); /* moves the inner bottom's centre through the walls */
+  m.vertices[1] = vs_v3(0, 6, 3); /* moves the centre of the inner bottom through the walls */
   assert_false(is_good(&m));
   m.vertices[1] = was;
   assert_true(is_good(&m));
-  m.vertices[2 + 3 * SIDES + 7] = vs_v3(-6, 1, 3); /* moves a corner of the inner bottom through the opposite wall */
+  m.vertices[2 + 3 * SIDES + 7] = vs_v3(-6, 1, 3); /* moves a vertex of the inner bottom's rim through the opposite
+                                                    * wall */
   assert_false(is_good(&m));
   vs_mesh_free(&m);
 }
@@ -334,8 +341,8 @@ static void test_combined_with_hubs(void **state) {
 
 /* ---- families: boxes that are not tested against each other ---- */
 
-typedef struct { uint32_t family, alone; } met; /* family: number of pairs with a box of the family. alone: number of
-                                                 * pairs with a box of no family */
+typedef struct { uint32_t family, alone; } met; /* family: number of reported pairs that include a box of the family.
+                                                 * alone: number of reported pairs that include none */
 enum { OF_ONE = 200000, ALONE = 40 };
 
 static bool count_pair(void *context, uint32_t a, uint32_t b) {
@@ -346,8 +353,9 @@ static bool count_pair(void *context, uint32_t a, uint32_t b) {
   return true;
 }
 
-/* Tests 200,000 overlapping boxes of one family, and a few boxes of no family. The search reports only pairs that
- * include a box of no family. It does not even visit pairs within the family, which would be some 10^9 blocks. */
+/* Tests 200,000 overlapping boxes of one family (boxes that need not be tested against each other), and a few boxes of
+ * no family. The search reports only pairs that include a box of no family. It does not even visit the pairs within the
+ * family. */
 static void test_families(void **state) {
   (void)state;
   vs_kernel_options options = { .threads = 1 };
@@ -357,7 +365,7 @@ static void test_families(void **state) {
   uint32_t *families = malloc((OF_ONE + ALONE) * sizeof *families);
   assert_non_null(boxes);
   assert_non_null(families);
-  for (int32_t i = 0; i < OF_ONE; i++) { /* boxes from the origin to points all around */
+  for (int32_t i = 0; i < OF_ONE; i++) { /* boxes from the origin to points in all directions */
     int32_t x = (int32_t)(1e8 * cos(i * 2e-5)), y = (int32_t)(1e8 * sin(i * 2e-5));
     boxes[i] = (vs_bvh_box){ { x < 0 ? x : 0, y < 0 ? y : 0, 0 }, { x > 0 ? x : 0, y > 0 ? y : 0, 1000 } };
     families[i] = 7;
