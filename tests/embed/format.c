@@ -37,14 +37,9 @@ static vs_kind_status box(void *context, vs_output *out, const vs_thing *t) {
 static vs_kind_status sphere(void *context, vs_output *out, const vs_thing *t) {
   double segments;
   ((host *)context)->things++;
-  if (vs_thing_numbers(t, "segments", &segments, 1) != 1 || segments > 0) return VS_KIND_SIMPLER; /* accepts only shapes
-                                                                                                   * without a fixed
-                                                                                                   * number of facets;
-                                                                                                   * VS_KIND_SIMPLER
-                                                                                                   * makes the library
-                                                                                                   * convert other
-                                                                                                   * shapes to simpler
-                                                                                                   * kinds */
+  /* accepts only shapes without a fixed number of facets; VS_KIND_SIMPLER makes the library convert other shapes to
+   * simpler kinds */
+  if (vs_thing_numbers(t, "segments", &segments, 1) != 1 || segments > 0) return VS_KIND_SIMPLER;
   return line_of(out, t, "ball", (const char *const[]){"c", "r", NULL});
 }
 static vs_kind_status line(void *context, vs_output *out, const vs_thing *t) {

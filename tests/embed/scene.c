@@ -172,10 +172,8 @@ static void hold_gizmos(vs_scheme *s, host *h) {
   gizmos = 0;
   CHECK(run(s, "(node-scale rig 2) (make-arrow (xyz 0 9 0) uy -1 3 #:value 1 #:name \"longer\" #:parent rig)"
                "(define last-one (make-tripod (xyz 0 0 9) (vxyz 1 0 2) #:name \"mover\" #:parent (node-getroot)))") == VS_OUTCOME_DONE);
-  CHECK(vs_gizmos(s, gizmo, NULL) == VS_OUTCOME_DONE && gizmos == 2 && last.kind == VS_GIZMO_ARROW); /* the callback
-                                                                                                      * ended the
-                                                                                                      * enumeration at
-                                                                                                      * this gizmo */
+  /* the callback ended the enumeration at this gizmo */
+  CHECK(vs_gizmos(s, gizmo, NULL) == VS_OUTCOME_DONE && gizmos == 2 && last.kind == VS_GIZMO_ARROW);
   CHECK(last.handles[0][1] == 22 && last.axes[0][1] == 2 && last.low[0] == -1 && last.high[0] == 3 && last.value[0] == 1);
   CHECK(run(s, "(node-removechild (node-getroot) rig)") == VS_OUTCOME_DONE && vs_gizmos(s, gizmo, NULL) == VS_OUTCOME_DONE);
   CHECK(last.kind == VS_GIZMO_TRIPOD && last.handle_count == 2 && last.value_count == 3 && last.low[2] == -2 && last.high[2] == 2);

@@ -220,11 +220,8 @@ vs_vec3 drawing_look_point(const drawing_look *l, double which, double x, double
   const part *at = l->part_count ? &l->parts[(size_t)(which * (double)l->part_count)] : NULL;
   if (!at || vs_bounds_is_empty(&at->bounds) || !isfinite(vs_bounds_diagonal(&at->bounds))) return p;
   vs_bounds both = at->bounds, *b = &both;
-  if (at + 1 < l->parts + l->part_count && x + y < z + 1) vs_bounds_meet(&both, &at[1].bounds); /* mostly chooses a
-                                                                                                 * point in the overlap
-                                                                                                 * of this part and the
-                                                                                                 * next, where faults
-                                                                                                 * are more likely */
+  /* mostly chooses a point in the overlap of this part and the next, where faults are more likely */
+  if (at + 1 < l->parts + l->part_count && x + y < z + 1) vs_bounds_meet(&both, &at[1].bounds);
   if (vs_bounds_is_empty(&both)) both = at->bounds;
   return vs_v3(b->min.x + x * (b->max.x - b->min.x), b->min.y + y * (b->max.y - b->min.y), b->min.z + z * (b->max.z - b->min.z));
 }

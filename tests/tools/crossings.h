@@ -37,10 +37,8 @@ typedef struct {
 
 /* ---- exact signs ---- */
 
-static inline void crossings_exact(crossings *c, mpz_t *to, const double *from, int count) { /* multiplies the `count`
-                                                                                              * numbers by one power of
-                                                                                              * two, so that all become
-                                                                                              * integers */
+/* multiplies the `count` numbers by one power of two, so that all become integers */
+static inline void crossings_exact(crossings *c, mpz_t *to, const double *from, int count) {
   int least = INT32_MAX, exponent;
   for (int i = 0; i < count; i++)
     if (from[i] != 0) {

@@ -2,10 +2,10 @@
  * the light increases exponentially from 0.01 to 4.
  *
  *   noisy   adds noise of a tenth of the light
- *   layers  adds the layers albedo, normal, depth and id; an id's place is a.vs:1:2 in the upper half, b.vs:30:4 in the lower half
+ *   layers  adds the layers albedo, normal, depth and id; the id's place is a.vs:1:2 in the upper half, else b.vs:30:4
  *   grey    writes a single channel Y
- *   sun     a sky of 0.2, with north in the middle of the picture; a disc of 1 degree at azimuth 250 and altitude 30 lights a surface
- *           that faces it with 3 */
+ *   sun     a sky of 0.2, with north in the middle of the picture; a disc of 1 degree at azimuth 250 and
+ *           altitude 30 lights a surface that faces it with 3 */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

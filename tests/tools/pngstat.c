@@ -3,7 +3,7 @@
  *   COLOURS  number of different colours, of 15 bits each
  *   EDGES    pixels in 1000 that clearly differ from their left neighbour; flat or smooth pictures have none
  *   INK      number of dark pixels; a partly covered pixel counts in part
- *   STEP     largest mean difference (0 to 255) between a row and the row above; a horizontal line in the picture makes it large
+ *   STEP     largest mean difference (0 to 255) between a row and the row above; a horizontal line makes it large
  *   CLIPPED  pixels in 1000 of which red, green or blue is 255
  *
  * `pngstat FILE OTHER` prints how many pixels in 1000 clearly differ between the two pictures. */
