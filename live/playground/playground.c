@@ -7,8 +7,9 @@
 
 #include "cli/study.h"
 #include "live/live.h"
-#include "live/serve.h"
+#include "live/open_browser.h"
 #include "live/playground/message_server.h"
+#include "live/serve.h"
 
 /* The options of the only view. They are static because functions called from JavaScript cannot receive them. */
 static live_options options;
@@ -38,6 +39,9 @@ EMSCRIPTEN_KEEPALIVE bool playground_open(const char *model) {
   return view != NULL;
 }
 
+/* Takes the place of live/open_browser.c: a page starts no browser. */
+void live_open_browser(const char *address) { (void)address; }
+
 EMSCRIPTEN_KEEPALIVE void playground_run(void) { live_alone_run(view); }
 
 EMSCRIPTEN_KEEPALIVE bool playground_turn(void) {
@@ -49,7 +53,7 @@ EMSCRIPTEN_KEEPALIVE bool playground_turn(void) {
 EMSCRIPTEN_KEEPALIVE void playground_request(int id, const char *method, const char *path, const char *query,
                                              const char *body, size_t size) {
   const live_server *server = live_alone_server(view);
-  message m = { id, method, path, query, body, size, server->hosts[0], server->token };
+  message m = { id, method, path, query, body, size, server->access.hosts[0], server->access.token };
   playground_ask(&m);
   playground_pump();
 }
