@@ -8,7 +8,10 @@ build=$1
 to=$build/playground made=$build/wasm
 rm -rf "$to.new"
 mkdir -p "$to.new/files/model/examples" "$to.new/files/usr/share/fonts/truetype"
-for file in index.html worker.js element.js service.js manifest.webmanifest; do cp "live/playground/page/$file" "$to.new/"; done
+# The live view's page, with the files of this folder and a manifest for installing.
+sed -e 's|href="/live.css"|href="playground.css"|; s|src="/live.js" nonce="@nonce@"|src="playground.js"|; s|The live view needs|The playground needs|' \
+  -e '/rel="icon"/a <link rel="manifest" href="manifest.webmanifest">' backends/page/live/live.html > "$to.new/index.html"
+for file in worker.js element.js service.js manifest.webmanifest; do cp "live/playground/page/$file" "$to.new/"; done
 cp "$made/engine.js" "$made/engine.wasm" "$made/playground.js" "$to.new/"
 cat "$made/live.css" live/playground/page/playground.css > "$to.new/playground.css"
 cp -r examples/. "$to.new/files/model/examples/"
