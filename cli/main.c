@@ -41,6 +41,7 @@
 #include "cli/study.h"
 #include "cli/sweep/sweep_command.h"
 #include "cli/test_command.h"
+#include "cli/usage/output_files.h"
 #include "live/live.h"
 
 /* The interpreter to interrupt, and the numbers of signals so far: the only global variables, because a signal handler
@@ -483,26 +484,16 @@ static void hear_signals(void) {
   }
 }
 
-/* The state of the view of an untrusted model. */
-typedef struct { cli_untrusted untrusted; cli_options *options; } untrusted_view;
-
 static bool confine_view(void *context, vs_options *interpreter) {
-  untrusted_view *v = context;
-  if (!cli_untrusted_begin(&v->untrusted, v->options)) return false;
-  *interpreter = v->options->interpreter;
+  cli_session *c = context;
+  if (!cli_untrusted_begin(&c->untrusted, c->options)) return false;
+  *interpreter = c->options->interpreter;
   return true;
-}
-static bool read_in_view(void *context, const char *path, char **text, size_t *length, const char **why) {
-  return cli_untrusted_read(&((untrusted_view *)context)->untrusted, path, text, length, why);
-}
-static bool list_in_view(void *context, const char *path, bool (*take)(void *to, const char *name, size_t length),
-                         void *to, const char **why) {
-  return cli_untrusted_list(&((untrusted_view *)context)->untrusted, path, take, to, why);
 }
 
 /* Runs `vs view`. Ctrl-C ends the whole command, not only the current run of the model. */
 static vs_outcome view_model(cli_options *o) {
-  untrusted_view stranger = { .untrusted = { .folder = -1, .alive = -1 }, .options = o };
+  cli_session stranger = { .untrusted = { .folder = -1, .alive = -1 }, .options = o };
   live_options live = { .model = o->sources[0].text,
                         .interpreter = o->interpreter,
                         .output = o->output,
@@ -517,7 +508,7 @@ static vs_outcome view_model(cli_options *o) {
     live.read_only = true;
     live.check = NULL;
     live.confined = (live_confinement){
-      .context = &stranger, .read_file = read_in_view, .list_folder = list_in_view, .confine = confine_view };
+      .context = &stranger, .read_file = read_untrusted, .list_folder = list_untrusted, .confine = confine_view };
   }
   hear_signals();
   vs_outcome outcome = live_view(&live);
