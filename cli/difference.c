@@ -6,6 +6,7 @@
 
 #include "cli/json.h"
 #include "cli/main.h"
+#include "cli/usage/output_files.h"
 
 /* ---- data about the first model, kept while the second model runs ---- */
 

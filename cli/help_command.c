@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "cli/options.h"
 #include "cli/prompt/manual.h"
+#include "cli/usage/command_table.h"
 
 /* If the word belongs to another program, as slab does, returns a sentence with its name in this language. Otherwise
  * returns "". Ignores advice that only guesses a similar name. */

@@ -12,10 +12,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "cli/batch/ranges.h"
 #include "cli/nearby.h"
 #include "cli/sweep/set_files.h"
-#include "cli/packages/package_lock.h"
+#include "cli/usage/command_table.h"
+#include "cli/usage/library_folders.h"
+#include "cli/usage/option_rules.h"
 
 typedef enum { VALUE_NONE, VALUE_REQUIRED, VALUE_OPTIONAL } value_rule;
 typedef struct option_row option_row;
@@ -35,30 +36,6 @@ struct option_row {
 /* Returns row i of the table of options, or NULL. The table is defined below, since it contains functions that call
  * this one. */
 static const option_row *option_at(size_t i);
-
-static const struct { const char *name, *arguments; unsigned takes; const char *help; } commands[] = {
-#define COMMAND(name, arguments, takes, help) {#name, arguments, takes, help},
-#include "cli/commands.def"
-};
-enum { COMMANDS = sizeof commands / sizeof *commands };
-
-bool cli_command_help(const char *name, FILE *to) {
-  for (size_t i = 0; i < COMMANDS; i++)
-    if (!strcmp(commands[i].name, name))
-      return fprintf(to, "vs %s%s%s: %s\n", name, *commands[i].arguments ? " " : "", commands[i].arguments,
-                     commands[i].help) > 0;
-  return false;
-}
-
-bool cli_command_suggest(const char *word, FILE *to) {
-  if (strpbrk(word, "./")) return false;
-  cli_nearby near = cli_nearby_start(word);
-  for (size_t i = 0; i < COMMANDS; i++) cli_nearby_offer(&near, commands[i].name);
-  if (near.best)
-    fprintf(to, "vs: %s is neither a command nor a file; perhaps vs %s %s\n", word, near.best,
-            strcmp(near.best, "help") ? "FILE" : "WORD");
-  return near.best != NULL;
-}
 
 /* ---- help ---- */
 
@@ -83,9 +60,8 @@ static void print_help(void) {
   puts("  vs FILE             run FILE: Scheme, JavaScript (.js), GML (.gml), AutoLISP (.lsp); - is standard input");
   puts("  vs FILE -o OUT ...  run FILE and write its model");
   puts("  vs FILE -- ARG ...  run FILE, whose (command-line) ends in these arguments");
-  for (size_t i = 0; i < COMMANDS; i++)
-    printf("  vs %s %-*s %s\n", commands[i].name, (int)(15 - strlen(commands[i].name)), commands[i].arguments,
-           commands[i].help);
+  for (const cli_command_row *c = cli_command_rows; c < cli_command_rows + CLI_COMMANDS; c++)
+    printf("  vs %s %-*s %s\n", c->name, (int)(15 - strlen(c->name)), c->arguments, c->help);
   putchar('\n');
   const option_row *r;
   for (size_t i = 0; (r = option_at(i)); i++) {
@@ -305,29 +281,6 @@ static bool take_passes(cli_options *o, const option_row *row, const char *v) {
   return true;
 }
 
-/* Appends folders, separated by ':', to o->library_path. Returns false after a message when memory is out. */
-static bool add_folders(cli_options *o, const char *folders) {
-  size_t have = o->library_path ? strlen(o->library_path) : 0, more = strlen(folders);
-  char *path = realloc(o->library_path, have + more + 2);
-  if (!path) return fputs("vs: out of memory\n", stderr), false;
-  o->library_path = path;
-  if (have) path[have++] = ':';
-  memcpy(path + have, folders, more + 1);
-  return true;
-}
-
-/* Appends the folder of packages that belongs to the first program. Returns false after a message if a package is not
- * as its lock says. */
-static bool add_packages(cli_options *o) {
-  char path[4200], why[PACKAGE_WHY];
-  const char *model = NULL;
-  for (size_t i = 0; i < o->source_count && !model; i++)
-    if (o->sources[i].kind == CLI_SOURCE_FILE && strcmp(o->sources[i].text, "-")) model = o->sources[i].text;
-  if (package_path(model, path, sizeof path, why)) return !*path || add_folders(o, path);
-  fprintf(stderr, "vs: %s\n", why);
-  return false;
-}
-
 /* Returns true if all folders exist; otherwise prints a message. Only -L is checked: a folder of VS_LIBRARY_PATH need
  * not exist, as in similar environment variables. */
 static bool are_folders(const char *option, const char *folders) {
@@ -408,7 +361,7 @@ static bool take_expression(cli_options *o, const option_row *row, const char *v
 }
 
 static bool take_library(cli_options *o, const option_row *row, const char *v) {
-  return *v ? are_folders("-L", v) && add_folders(o, v) : bad(row, "''");
+  return *v ? are_folders("-L", v) && cli_add_folders(o, v) : bad(row, "''");
 }
 
 static bool take_held(cli_options *o, const option_row *row, const char *v) {
@@ -511,234 +464,6 @@ static bool read_option(cli_options *o, int argc, char **argv, int *at, cli_verd
   return row->take(o, row, value);
 }
 
-/* ---- output files ---- */
-
-static const char *ending_of(const char *path) {
-  const char *base = strrchr(path, '/');
-  return strcmp(path, "-") == 0 ? NULL : strrchr(base ? base + 1 : path, '.');
-}
-
-/* Writes the file name with the ending that other programs read. Returns false if the table of endings lacks this
- * ending. */
-static bool advise_ending(const char *path, const char *ending) {
-  static const struct { const char *endings, *here, *who; } endings_here[] = {
-#define ENDING(endings, here, who) { endings, here, who },
-#include "cli/endings.def"
-  };
-  size_t n = strlen(ending + 1);
-  for (size_t i = 0; n && i < sizeof endings_here / sizeof *endings_here; i++)
-    for (const char *w = endings_here[i].endings; *w; w += *w == ' ') {
-      size_t length = strcspn(w, " ");
-      if (length == n && !strncasecmp(w, ending + 1, n)) {
-        fprintf(stderr, " write -o %.*s.%s, %s;", (int)(ending - path), path, endings_here[i].here,
-                endings_here[i].who);
-        return true;
-      }
-      w += length;
-    }
-  return false;
-}
-
-/* Finds the format of a target among those that the program defines. scheme may be NULL. Returns false after a message
- * on standard error. */
-static bool late_format(const cli_options *o, cli_target *t, const vs_scheme *scheme) {
-  const char *ending = ending_of(t->path);
-  vs_format_info brought;
-  if (t->format) return true;
-  if (scheme && ending && vs_format_of(scheme, ending, &brought)) return t->format = ending, true;
-  if (scheme && o->format && vs_format_of(scheme, o->format, &brought)) return t->format = o->format, true;
-  if (o->format) {
-    fprintf(stderr, "vs: --format %s: there is no such format;", o->format);
-  } else if (strcmp(t->path, "-") == 0) {
-    fputs("vs: -o - needs --format;", stderr);
-  } else {
-    fprintf(stderr, "vs: %s: ", t->path);
-    if (ending) fprintf(stderr, "no format has the ending %s;", ending);
-    else fputs("the name has no ending that names a format;", stderr);
-  }
-  size_t count;
-  const vs_format_info *formats = vs_format_list(&count);
-  cli_nearby near = cli_nearby_start(o->format ? o->format : ending ? ending + 1 : "");
-  for (size_t i = 0; i < count; i++) cli_nearby_offer(&near, formats[i].suffix);
-  if (!o->format && ending && advise_ending(t->path, ending)) near.best = NULL;
-  if (near.best && *near.wanted && (o->format || near.distance < 2)) fprintf(stderr, " perhaps .%s;", near.best);
-  fprintf(stderr, " there are %s\n", vs_format_endings());
-  return false;
-}
-
-/* Finds the format of a target among the built-in formats. Another name or suffix may belong to a format that the
- * program defines (cli_options_late). */
-static bool find_format(cli_options *o, cli_target *t) {
-  const char *ending = ending_of(t->path);
-  if (strcmp(t->path, "-") == 0) o->to_stdout = true;
-  const vs_format_info *said = o->format ? vs_format_find(o->format) : NULL,
-                       *own = ending ? vs_format_find(ending) : NULL;
-  if (own && said && strcmp(said->suffix, own->suffix) == 0) own = said; /* if --format names another format with the
-                                                                          * file's suffix, that format is used */
-  if (!own) own = said;
-  if (own) t->format = own->name;
-  return own || o->format || (ending && ending[1]) || late_format(o, t, NULL);
-}
-
-bool cli_options_late(cli_options *o, const vs_scheme *scheme) {
-  for (size_t i = 0; i < o->target_count; i++)
-    if (!late_format(o, &o->targets[i], scheme)) return false;
-  return true;
-}
-
-/* Returns the path without its folders. */
-static const char *file_name(const char *path) {
-  const char *slash = strrchr(path, '/');
-  return slash ? slash + 1 : path;
-}
-
-bool cli_options_is_pattern(const char *path) {
-  return *file_name(path) == '%';
-}
-
-/* Returns true if the output file can probably be written. Otherwise reports it now, before long work begins. */
-static bool reachable(const cli_target *t) {
-  if (strcmp(t->path, "-") == 0) return true;
-  struct stat status;
-  if (stat(t->path, &status) == 0 && S_ISDIR(status.st_mode)) {
-    fprintf(stderr, "vs: %s: is a folder, not a file\n", t->path);
-    return false;
-  }
-  const char *slash = strrchr(t->path, '/');
-  size_t length = slash ? (size_t)(slash - t->path) : 0;
-  char *folder = malloc(length + 2);
-  if (!folder) return true; /* if memory is out here, writing the output will report it */
-  memcpy(folder, t->path, length);
-  strcpy(folder + length, slash ? (length ? "" : "/") : ".");
-  bool found = stat(folder, &status) == 0, ok = found && S_ISDIR(status.st_mode) && access(folder, W_OK | X_OK) == 0;
-  if (found && !S_ISDIR(status.st_mode)) errno = ENOTDIR;
-  if (!ok && errno == ENOENT) fprintf(stderr, "vs: %s: there is no folder %s\n", t->path, folder);
-  else if (!ok && errno == ENOTDIR) fprintf(stderr, "vs: %s: %s is no folder\n", t->path, folder);
-  else if (!ok) fprintf(stderr, "vs: %s: cannot write into %s: %s\n", t->path, folder, strerror(errno));
-  free(folder);
-  return ok;
-}
-
-/* Returns true if a command on EXR pictures has the files that it requires. Otherwise prints a message. */
-static bool picture_files(const cli_options *o, unsigned takes) {
-  size_t want = takes & CLI_TAKES_POINT ? 3 : takes & CLI_TAKES_TWO ? 2 : 1;
-  bool files = o->source_count == want && !o->define_count && !o->untrusted && !o->frames.count;
-  for (size_t i = 0; i < o->source_count; i++)
-    files = files && o->sources[i].kind == CLI_SOURCE_FILE && strcmp(o->sources[i].text, "-") != 0;
-  size_t least = takes & CLI_TAKES_TARGET ? 1 : 0, most = takes & (CLI_TAKES_TARGET | CLI_TAKES_OUTPUT) ? 1 : 0;
-  bool output = o->target_count >= least && o->target_count <= most;
-  if (output && most && o->target_count) output = strcmp(o->targets[0].path, "-") != 0;
-  if (files && output) return true;
-  const char *name = commands[o->command - 1].name;
-  fprintf(stderr, "vs %s: as in vs %s %s%s\n", name, name, commands[o->command - 1].arguments,
-          !least ? "" : o->command == CLI_COMMAND_denoise ? " -o B.exr" : " -o B.png");
-  return false;
-}
-
-static bool batch_files(const cli_options *o) {
-  bool files = o->source_count > 0 && o->target_count <= 1;
-  for (size_t i = 0; i < o->source_count; i++)
-    files = files && o->sources[i].kind == CLI_SOURCE_FILE && strcmp(o->sources[i].text, "-") != 0;
-  if (!files || (o->target_count && (!*o->targets[0].path || !strcmp(o->targets[0].path, "-")))) {
-    fputs("vs render: give the files of models, and a file or a folder for the pictures, as in vs render a.vs b.vs -o "
-          "pictures\n", stderr);
-    return false;
-  }
-  if (o->interactive || o->check || (o->untrusted && o->all_views)) {
-    fprintf(stderr, "vs render: %s works only with vs FILE\n", o->interactive ? "-i" : o->check ? "--check"
-            : "--all-views of an untrusted model");
-    return false;
-  }
-  return true;
-}
-
-static bool sweep_files(const cli_options *o) {
-  bool file = o->source_count == 1 && o->sources[0].kind == CLI_SOURCE_FILE && strcmp(o->sources[0].text, "-") != 0;
-  for (size_t i = 0; i < o->target_count; i++) file = file && strcmp(o->targets[i].path, "-") != 0;
-  if (!file)
-    fputs(
-        "vs sweep: give the file of one model, values of its parameters, and a folder for the results, as in vs sweep "
-        "house.vs --set n=1..10:2 -o out/; without -o the table goes to standard output\n",
-        stderr);
-  else if (o->interactive || o->check || o->all_views || o->stats || o->parameters)
-    fprintf(stderr, "vs sweep: %s works only with vs FILE\n", o->interactive ? "-i" : o->check ? "--check"
-            : o->all_views ? "--all-views" : o->stats ? "--stats" : "--parameters");
-  else return true;
-  return false;
-}
-
-static bool test_files(const cli_options *o) {
-  bool files = o->source_count > 0 && !o->target_count && !o->interactive && !o->check;
-  for (size_t i = 0; i < o->source_count; i++)
-    files = files && o->sources[i].kind == CLI_SOURCE_FILE && strcmp(o->sources[i].text, "-") != 0;
-  if (!files)
-    fputs("vs test: give the files of programs alone, as in vs test house.vs stairs.vs; -o, -e, -i and --check are for "
-          "vs FILE\n", stderr);
-  return files;
-}
-
-static bool no_files(const cli_options *o) {
-  bool none = !o->source_count && !o->target_count && !o->interactive && !o->untrusted && !o->check;
-  if (!none) fprintf(stderr, "vs %s: give no files; it reads standard input\n", commands[o->command - 1].name);
-  return none;
-}
-
-static bool plain_words(const cli_options *o) {
-  const char *name = commands[o->command - 1].name;
-  bool words = !o->target_count && !o->interactive && !o->untrusted && !o->check && !o->define_count;
-  for (size_t i = 0; i < o->source_count; i++)
-    words = words && o->sources[i].kind == CLI_SOURCE_FILE && strcmp(o->sources[i].text, "-") != 0;
-  bool one = o->command != CLI_COMMAND_new || o->source_count == 1;
-  if (words && one && (o->command != CLI_COMMAND_jupyter || o->source_count < 2)) return true;
-  fprintf(stderr, "vs %s: as in vs %s %s\n", name, name, commands[o->command - 1].arguments);
-  return false;
-}
-
-static bool text_files(const cli_options *o) {
-  bool files = o->source_count > 0 && !o->target_count && !o->interactive && !o->untrusted && !o->define_count;
-  for (size_t i = 0; i < o->source_count; i++) files = files && o->sources[i].kind == CLI_SOURCE_FILE;
-  if (!files)
-    fprintf(stderr, "vs %s: give the files of programs alone, as in vs %s house.vs, or - for standard input\n",
-            commands[o->command - 1].name, commands[o->command - 1].name);
-  return files;
-}
-
-/* Returns true if the command has the files that it requires, and no -o unless it writes a file. Otherwise prints a
- * message on standard error. */
-static bool command_files(const cli_options *o, unsigned takes) {
-  if (takes & CLI_TAKES_PICTURE) return picture_files(o, takes);
-  if (takes & CLI_TAKES_MANY) return batch_files(o);
-  if (takes & CLI_TAKES_SWEEP) return sweep_files(o);
-  if (takes & CLI_TAKES_PROGRAMS) return test_files(o);
-  if (takes & CLI_TAKES_TEXTS) return text_files(o);
-  if (takes & CLI_TAKES_NOTHING) return no_files(o);
-  if (takes & CLI_TAKES_WORDS) return plain_words(o);
-  const char *name = commands[o->command - 1].name;
-  size_t want = takes & (CLI_TAKES_TWO | CLI_TAKES_SCAN) ? 2 : 1;
-  bool files = o->source_count == want, output = takes & CLI_TAKES_OUTPUT || o->target_count == 0;
-  if (takes & CLI_TAKES_LANGUAGE) output = o->target_count <= 1;
-  if (takes & CLI_TAKES_FOLDER) output = o->target_count == 1 && strcmp(o->targets[0].path, "-") != 0;
-  for (size_t i = 0; i < o->source_count; i++)
-    files = files && o->sources[i].kind == CLI_SOURCE_FILE && strcmp(o->sources[i].text, "-") != 0;
-  if (files && output) return true;
-  if (takes & CLI_TAKES_FOLDER) fprintf(stderr, "vs %s: give the file of one model and a folder, as in vs %s house.vs "
-                                        "-o site\n", name, name);
-  else if (takes & CLI_TAKES_SCAN)
-    fprintf(stderr, "vs %s: give the files of a model and of a scan, as in vs %s column.vs scan.ply\n", name, name);
-  else if (want == 2) fprintf(stderr, "vs %s: give the files of two models, as in vs %s old.vs new.vs\n", name, name);
-  else fprintf(stderr, "vs %s: give the file of one model, as in vs %s house.vs%s\n", name, name,
-               output ? "" : "; -o works only with vs FILE");
-  return false;
-}
-
-/* Returns true if the word equals the name of a command, apart from hyphens (sun-study). */
-static bool is_command(const char *word, const char *name) {
-  if (*word == '-') return false;
-  for (; *word; word++)
-    if (*word != '-' && *word != *name++) return false;
-  return !*name;
-}
-
 /* Returns true if the word is one of these options, with or without a value. */
 static bool is_one_of(const char *word, const char *const *options, size_t count) {
   for (size_t i = 0; i < count; i++)
@@ -778,60 +503,6 @@ static void keep_words(cli_options *o, char **argv, int from, int to) {
   }
 }
 
-/* Returns true if the path ends in .png or has no suffix. A path without suffix is a folder for .png pictures. */
-static bool is_png_or_folder(const char *path) {
-  const char *ending = ending_of(path);
-  return !ending || strcmp(ending, ".png") == 0 || path[strlen(path) - 1] == '/';
-}
-
-/* Returns true if the options with --tiles go together. Otherwise prints a message. */
-static bool tiles_fit(cli_options *o) {
-  const char *ending = o->target_count ? ending_of(o->targets[0].path) : NULL, *wrong = NULL;
-  if (o->command != CLI_COMMAND_render) wrong = "it is for vs render";
-  else if (o->frames.count) wrong = "give it without --frames: each frame is a part of its own (--only)";
-  else if (o->output.crop[2]) wrong = "give it without --crop";
-  else if (!o->output.width || !o->output.height) wrong = "give the size of the whole picture by --size";
-  else if (o->output.height < o->tiles.columns * o->tiles.rows) wrong = "a tile would be empty";
-  else if (ending && strcmp(ending, ".png") != 0 && strcmp(ending, ".exr") != 0 && !strchr(ending, '/'))
-    wrong = "tiles are .png or .exr pictures";
-  if (wrong) return fprintf(stderr, "vs: --tiles %ldx%ld: %s\n", o->tiles.columns, o->tiles.rows, wrong), false;
-  long all = o->tiles.columns * o->tiles.rows;
-  if (!o->only || cli_range_read(o->only, all, &o->tiles.from, &o->tiles.to)) return true;
-  return fprintf(stderr, "vs: --only %s: expected numbers of tiles, at most 1..%ld\n", o->only, all), false;
-}
-
-/* Returns true if the options about bundles and joining are given to a command that has them. Otherwise prints a
- * message. */
-static bool cluster_fits(const cli_options *o) {
-  const cli_cluster *c = &o->cluster;
-  bool batch = o->command == CLI_COMMAND_render || o->command == CLI_COMMAND_sweep;
-  const char *path = o->target_count ? o->targets[0].path : "";
-  const char *wrong = NULL;
-  if (!batch && (c->on || o->join || o->keep_going || o->keep_failed || o->retries != 2))
-    wrong = "--on, --join, --retries, --keep-going and --keep-failed are for vs render and vs sweep";
-  else if (!c->on && (c->time || c->memory || c->cpus || c->bundle))
-    wrong = "--time, --memory, --cpus and --bundle need --on slurm";
-  else if (c->on && (o->only || o->join || o->manifest)) wrong = "give --on without --only, --join and --manifest";
-  else if (c->on && o->command == CLI_COMMAND_render && (!*path || path[strlen(path) - 1] != '/'))
-    wrong = "--on needs a folder for the pictures that ends in a slash, as in -o film/";
-  else if (c->on && o->command == CLI_COMMAND_render && !o->frames.count && !o->tiles.columns)
-    wrong = "--on needs parts: --frames of a film, or --tiles of a picture";
-  if (!wrong) return true;
-  fprintf(stderr, "vs%s%s: %s\n", batch ? " " : "", batch ? commands[o->command - 1].name : "", wrong);
-  return false;
-}
-
-/* Returns true if the command can run again without a person. Otherwise prints a message. */
-static bool watch_fits(const cli_options *o) {
-  bool stdin_read = false;
-  for (size_t i = 0; i < o->source_count; i++) stdin_read = stdin_read || !strcmp(o->sources[i].text, "-");
-  bool again = o->command == CLI_COMMAND_render || o->command == CLI_COMMAND_sweep || o->command == CLI_COMMAND_test ||
-               (o->command == CLI_COMMAND_NONE && o->target_count > 0 && !o->interactive);
-  if (again && !stdin_read && !o->cluster.on) return true;
-  fputs("vs: --watch is for vs FILE -o OUT, vs render, vs sweep and vs test, with files and without --on\n", stderr);
-  return false;
-}
-
 cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
   size_t room = (size_t)argc + 1;
   cli_verdict verdict = CLI_GO;
@@ -849,8 +520,8 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
   bool names_only = false; /* whether the word -- has occurred before any model, so that all later words are files */
   o->words[o->word_count++] = "vs";
   int first = 1;
-  for (size_t i = 0; argc > 1 && i < COMMANDS; i++)
-    if (is_command(argv[1], commands[i].name)) o->command = (cli_command)(i + 1), first = 2;
+  for (size_t i = 0; argc > 1 && i < CLI_COMMANDS; i++)
+    if (cli_command_is(argv[1], cli_command_rows[i].name)) o->command = (cli_command)(i + 1), first = 2;
   if (o->command == CLI_COMMAND_help) {
     print_help();
     return CLI_STOP;
@@ -875,177 +546,7 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
       for (; !is_of_batch(word) && from <= i; from++) o->passed[o->passed_count++] = argv[from];
     }
   }
-  unsigned takes = o->command ? commands[o->command - 1].takes : 0;
-  if ((o->json && !(takes & CLI_TAKES_JSON)) || (o->xml && !(takes & CLI_TAKES_XML))) {
-    unsigned want = o->json && !(takes & CLI_TAKES_JSON) ? CLI_TAKES_JSON : CLI_TAKES_XML;
-    fprintf(stderr, "vs: --%s is for", want == CLI_TAKES_JSON ? "json" : "xml");
-    for (size_t i = 0, n = 0; i < COMMANDS; i++)
-      if (commands[i].takes & want) fprintf(stderr, "%s vs %s", n++ ? "," : "", commands[i].name);
-    fputs(want == CLI_TAKES_JSON ? "; statistics as JSON are --stats=json\n" : "\n", stderr);
-    return CLI_BAD_USAGE;
-  }
-  if ((o->place || o->date || o->from || o->step) && !(takes & CLI_TAKES_SUN)) {
-    fputs("vs: --place, --date, --from and --step are for vs sunstudy\n", stderr);
-    return CLI_BAD_USAGE;
-  }
-  if (o->language && !(takes & (CLI_TAKES_LANGUAGE | CLI_TAKES_SUN))) {
-    fputs("vs: --to is for vs translate\n", stderr);
-    return CLI_BAD_USAGE;
-  }
-  if (o->json && o->xml) {
-    fputs("vs: give --json or --xml, not both\n", stderr);
-    return CLI_BAD_USAGE;
-  }
-  const char *of_fit = o->placed       ? "placed"
-                       : o->near       ? "near"
-                       : o->any_pose   ? "any-pose"
-                       : o->held_count ? "hold"
-                       : o->points     ? "points"
-                                       : NULL;
-  if (o->command != CLI_COMMAND_fit && of_fit) {
-    fprintf(stderr, "vs: --%s is for vs fit\n", of_fit);
-    return CLI_BAD_USAGE;
-  }
-  if (o->placed + o->near + o->any_pose > 1) {
-    fputs("vs fit: give only one of --placed, --near and --any-pose\n", stderr);
-    return CLI_BAD_USAGE;
-  }
-  bool sweeps = o->command == CLI_COMMAND_sweep;
-  if (o->command != CLI_COMMAND_render &&
-      (((o->set_count || o->jobs || o->sheet) && !sweeps) || o->manifest || o->film)) {
-    fputs(sweeps ? "vs sweep: --manifest and --film are for vs render; the manifest is in the folder of -o\n"
-                 : "vs: --set, --jobs, --manifest, --sheet and --film are for vs render, and --set, --jobs and --sheet "
-                   "for vs sweep\n", stderr);
-    return CLI_BAD_USAGE;
-  }
-  if (!sweeps && (o->sample || o->seed || o->where || o->sort || (o->only && !o->frames.count && !o->tiles.columns))) {
-    fputs("vs: --sample, --seed, --where and --sort are for vs sweep, and --only for vs sweep, --frames and --tiles\n",
-          stderr);
-    return CLI_BAD_USAGE;
-  }
-  if (o->frames.count && o->only && !cli_range_read(o->only, o->frames.count, &o->frames.from, &o->frames.to)) {
-    fprintf(stderr, "vs: --only %s: expected numbers of frames, at most 1..%ld\n", o->only, o->frames.count);
-    return CLI_BAD_USAGE;
-  }
-  if (!cluster_fits(o) || (o->watch && !watch_fits(o))) return CLI_BAD_USAGE;
-  if (o->tiles.columns && !tiles_fit(o)) return CLI_BAD_USAGE;
-  if (o->film && o->only) {
-    fputs("vs render: --film needs all frames: give it without --only, when all parts are done\n", stderr);
-    return CLI_BAD_USAGE;
-  }
-  for (size_t i = 0; !(takes & (CLI_TAKES_PICTURE | CLI_TAKES_WORDS)) && i < o->source_count; i++) {
-    const char *path = o->sources[i].text;
-    char near[4096];
-    if (o->sources[i].kind != CLI_SOURCE_FILE || access(path, F_OK) == 0 ||
-        !cli_nearby_program(path, near, sizeof near)) continue;
-    fprintf(stderr, "vs: %s: no such file; perhaps %s\n", path, near);
-    return CLI_BAD_USAGE;
-  }
-  bool file_first = !o->command && o->source_count && argc > 1 && o->sources[0].text == argv[1];
-  if (file_first && access(argv[1], F_OK) != 0 && !strpbrk(argv[1], "./") && strcmp(argv[1], "-")) {
-    if (!cli_command_suggest(argv[1], stderr))
-      fprintf(stderr, "vs: %s is neither a command nor a file; vs --help lists the commands\n", argv[1]);
-    return CLI_BAD_USAGE;
-  }
-  /* Finds files that are probably outputs without -o, as in: vs model.vs a.stl. */
-  for (size_t i = 0; !(takes & (CLI_TAKES_PICTURE | CLI_TAKES_SCAN | CLI_TAKES_WORDS)) && i < o->source_count; i++) {
-    const char *path = o->sources[i].text;
-    const vs_format_info *f = o->sources[i].kind == CLI_SOURCE_FILE && strchr(path, '.') ? vs_format_find(path) : NULL;
-    if (!f) continue;
-    fprintf(stderr, "vs: %s is a name for an output, not a program; write -o before it: vs", path);
-    size_t programs = 0;
-    for (size_t k = 0; k < o->source_count; k++)
-      if (k != i && o->sources[k].kind == CLI_SOURCE_FILE) programs++, fprintf(stderr, " %s", o->sources[k].text);
-    fprintf(stderr, "%s -o %s\n", programs ? "" : " model.vs", path);
-    return CLI_BAD_USAGE;
-  }
-  if (o->command != CLI_COMMAND_NONE && !command_files(o, takes)) return CLI_BAD_USAGE;
-  if (o->command == CLI_COMMAND_doc && o->untrusted) {
-    fputs("vs doc: --untrusted works only with vs FILE: for its pictures vs doc calls each procedure of the program\n",
-          stderr);
-    return CLI_BAD_USAGE;
-  }
-  if (o->command == CLI_COMMAND_params) o->parameters = o->quiet = true;
-  const char *folders = getenv("VS_LIBRARY_PATH");
-  if (folders && *folders && !add_folders(o, folders)) return CLI_BAD_USAGE;
-  if (!(takes & (CLI_TAKES_WORDS | CLI_TAKES_PICTURE)) && !o->untrusted && !add_packages(o)) return CLI_BAD_USAGE;
-  o->interpreter.library_path = o->library_path;
-  for (size_t i = takes & CLI_TAKES_SCAN ? 1 : o->source_count; i-- > 0;)
-    if (o->sources[i].kind == CLI_SOURCE_FILE && strcmp(o->sources[i].text, "-") != 0) o->words[0] = o->sources[i].text;
-  o->interpreter.command_line = o->words;
-  o->interpreter.command_line_count = o->word_count;
-  bool formats = !(takes & (CLI_TAKES_FOLDER | CLI_TAKES_LANGUAGE | CLI_TAKES_MANY | CLI_TAKES_SWEEP));
-  for (size_t i = 0; formats && i < o->target_count; i++)
-    if (strncmp(file_name(o->targets[i].path), "%.", 2) == 0) {
-      fprintf(stderr, "vs: -o %s: the name of a model takes the place of %% in outputs of vs render: vs render",
-              o->targets[i].path);
-      for (size_t k = 0; k < o->source_count; k++)
-        if (o->sources[k].kind == CLI_SOURCE_FILE) fprintf(stderr, " %s", o->sources[k].text);
-      fprintf(stderr, " -o %s\n", o->targets[i].path);
-      return CLI_BAD_USAGE;
-    }
-  for (size_t i = 0; formats && i < o->target_count; i++)
-    if (!find_format(o, &o->targets[i]) || !reachable(&o->targets[i])) return CLI_BAD_USAGE;
-  for (size_t i = 0; takes & CLI_TAKES_SCAN && i < o->target_count; i++) {
-    const vs_format_info *f = vs_format_find(o->targets[i].path);
-    if (f && (!strcmp(f->suffix, "ply") || !strcmp(f->suffix, "x3d"))) continue;
-    fprintf(stderr,
-            "vs fit: %s: the file of -o must end in .ply or .x3d: vs fit writes the map of distances there; to write "
-            "the fitted model, run vs FILE with the fitted values by -D\n",
-            o->targets[i].path);
-    return CLI_BAD_USAGE;
-  }
-  bool flames = o->target_count == 1 && o->targets[0].format && !strcmp(o->targets[0].format, "svg");
-  if (o->command == CLI_COMMAND_profile && o->target_count && !flames) {
-    fputs("vs profile: -o writes the tree of calls: one file, which ends in .svg\n", stderr);
-    return CLI_BAD_USAGE;
-  }
-  if (o->all_views && o->output.view) {
-    fputs("vs: give --all-views or --view, not both\n", stderr);
-    return CLI_BAD_USAGE;
-  }
-  if (o->frames.resume && !o->frames.count) {
-    fputs("vs: --resume is for --frames\n", stderr);
-    return CLI_BAD_USAGE;
-  }
-  if (o->frames.count && o->command != CLI_COMMAND_NONE && o->command != CLI_COMMAND_render) {
-    fprintf(stderr, "vs %s: --frames is for vs FILE and vs render FILE\n", argv[1]);
-    return CLI_BAD_USAGE;
-  }
-  if (o->film && (!o->frames.count || (o->target_count && !is_png_or_folder(o->targets[0].path)))) {
-    fputs("vs render: --film is for --frames that are .png pictures\n", stderr);
-    return CLI_BAD_USAGE;
-  }
-  if (o->frames.resume && o->command == CLI_COMMAND_render) {
-    fputs(
-        "vs render: --resume works only with vs FILE; vs render finds the frames that are up to date by its manifest\n",
-        stderr);
-    return CLI_BAD_USAGE;
-  }
-  if (o->frames.count && o->command == CLI_COMMAND_NONE && (o->interactive || o->to_stdout || o->target_count == 0)) {
-    fputs(o->interactive ? "vs: give --frames or -i, not both\n"
-          : "vs: --frames writes files: name them by -o, as in -o tower.png for tower-001.png and so on\n", stderr);
-    return CLI_BAD_USAGE;
-  }
-  if (o->dependencies && (o->command != CLI_COMMAND_NONE || o->target_count <= (o->to_stdout ? 1 : 0))) {
-    fputs("vs: -d is for vs FILE with -o, as in vs house.vs -o house.stl -d house.d\n", stderr);
-    return CLI_BAD_USAGE;
-  }
-  for (size_t i = 0; o->dependencies && i < o->target_count; i++)
-    if (!strcmp(o->dependencies, o->targets[i].path)) {
-      fprintf(stderr, "vs: -d %s: it is an output, too\n", o->dependencies);
-      return CLI_BAD_USAGE;
-    }
-  if (o->dependencies && !reachable(&(cli_target){o->dependencies, NULL})) return CLI_BAD_USAGE;
-  if (o->target_count && o->check) {
-    fputs("vs: --check writes no output: give --check or -o, not both\n", stderr);
-    return CLI_BAD_USAGE;
-  }
-  if (o->target_count && !o->source_count) {
-    fputs("vs: -o needs a model: name its file, or - for standard input\n", stderr);
-    return CLI_BAD_USAGE;
-  }
-  return CLI_GO;
+  return cli_options_fit(o, argv) ? CLI_GO : CLI_BAD_USAGE;
 }
 
 void cli_options_free(cli_options *o) {

@@ -103,16 +103,6 @@ typedef enum {
 } cli_verdict;
 
 cli_verdict cli_options_parse(cli_options *o, int argc, char **argv);
-/* For targets whose format is not built in, finds the format among those that the program defines. Returns false after
- * a message on standard error. */
-bool cli_options_late(cli_options *o, const vs_scheme *scheme);
 void cli_options_free(cli_options *o);
-/* Returns true if the name of an output, without folders, begins with %, which is replaced by that of the model. */
-bool cli_options_is_pattern(const char *path);
-/* Prints a line of help on the command of that name, and how to call it. Returns false if there is no such command. */
-bool cli_command_help(const char *name, FILE *to);
-/* Called for a word that is no file: prints the command that was probably meant. Returns false if no command is
- * similar. */
-bool cli_command_suggest(const char *word, FILE *to);
 
 #endif

@@ -27,6 +27,7 @@
 #include "cli/batch/part_states.h"
 #include "cli/batch/ranges.h"
 #include "cli/json.h"
+#include "cli/usage/output_files.h"
 
 enum { PATH_ROOM = 4096, MOST = 100000, EXPOSURE_ROOM = 24 };
 

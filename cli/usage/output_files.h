@@ -1,0 +1,24 @@
+/* Declares functions on the files of the option -o. */
+#ifndef VS_CLI_USAGE_OUTPUT_FILES_H
+#define VS_CLI_USAGE_OUTPUT_FILES_H
+
+#include "cli/options.h"
+
+/* Returns the ending of the path with its dot, or NULL if the path has none or is "-". */
+const char *cli_ending_of(const char *path);
+/* Returns the path without its folders. */
+const char *cli_file_name(const char *path);
+/* Returns true if the path ends in .png or has no suffix. A path without suffix is a folder for .png pictures. */
+bool cli_is_png_or_folder(const char *path);
+/* Returns true if the name of an output, without folders, begins with %, which is replaced by that of the model. */
+bool cli_options_is_pattern(const char *path);
+/* Finds the format of a target among the built-in formats. Another name or suffix may belong to a format that the
+ * program defines (cli_options_late). Returns false after a message on standard error. */
+bool cli_find_format(cli_options *o, cli_target *t);
+/* For targets whose format is not built in, finds the format among those that the program defines. Returns false after
+ * a message on standard error. */
+bool cli_options_late(cli_options *o, const vs_scheme *scheme);
+/* Returns true if the output file can probably be written. Otherwise reports it now, before long work begins. */
+bool cli_output_reachable(const cli_target *t);
+
+#endif
