@@ -160,6 +160,16 @@ void vs_mesh_turn(vs_mesh *m, size_t first_triangle) {
   }
 }
 
+bool vs_mesh_turn_outwards(vs_mesh *m, size_t first_triangle) {
+  VS_ASSERT(first_triangle <= m->triangle_count);
+  vs_mesh part = { .vertices = m->vertices,
+                   .triangles = m->triangles + first_triangle,
+                   .triangle_count = m->triangle_count - first_triangle };
+  bool inside_out = vs_mesh_volume(&part) < 0;
+  if (inside_out) vs_mesh_turn(m, first_triangle);
+  return inside_out;
+}
+
 void vs_mesh_transform_from(vs_mesh *m, const vs_affine *a, size_t first_vertex, size_t first_triangle) {
   VS_ASSERT(first_vertex <= m->vertex_count && first_triangle <= m->triangle_count);
   m->settled = false;

@@ -52,5 +52,7 @@ void vs_mesh_squeeze(vs_mesh *m, const uint8_t *gone); /* Removes each triangle 
                                                         * vertices. */
 /* Reverses the orientation of the triangles from first_triangle on. first_triangle is at most m->triangle_count. */
 void vs_mesh_turn(vs_mesh *m, size_t first_triangle);
+/* Reverses the triangles from first_triangle on, a closed mesh, if their volume is negative. Returns true if it is. */
+bool vs_mesh_turn_outwards(vs_mesh *m, size_t first_triangle);
 
 #endif

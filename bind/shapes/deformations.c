@@ -131,7 +131,7 @@ vs_status vs_p_deformed(vs_args *f, vs_value *out) {
   for (; made < n; made++) {
     vs_mesh *m = vs_bending_mesh(d->at[made]);
     bool solid = d->leaves.at[made].closed && !d->leaves.at[made].curve;
-    if (solid && vs_mesh_volume(m) < 0) vs_mesh_turn(m, 0);
+    if (solid) vs_mesh_turn_outwards(m, 0);
     if (solid && !vs_bend_solid(vs_call_vm(f), m)) return VS_ERROR;
     refs[made] = (vs_ref){ vs_bend_node(s, &d->leaves.at[made], m), origin };
     if (!vs_bind_keep(f, refs[made].node)) return VS_ERROR;

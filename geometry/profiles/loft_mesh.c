@@ -353,12 +353,7 @@ bool vs_loft_mesh(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error
   vs_quad_grid g = { .at = rows.at, .rows = rows.rows, .columns = rows.columns, .sizes = l.sizes, .hole = l.hole,
                      .loop_count = l.loop_count, .round = l.round, .joined = l.joined, .capped = l.round };
   ok = ok && (vs_grid_mesh(&g, out) || vs_error_memory(e, NULL));
-  if (ok && l.round) {
-    vs_mesh added = { .vertices = out->vertices,
-                      .triangles = out->triangles + first,
-                      .triangle_count = out->triangle_count - first };
-    if (vs_mesh_volume(&added) < 0) vs_mesh_turn(out, first);
-  }
+  if (ok && l.round) vs_mesh_turn_outwards(out, first);
   free(rows.at);
   vs_loft_free(&l);
   return ok;

@@ -135,12 +135,8 @@ bool vs_revolve_mesh(const vs_revolve *r, size_t steps, vs_mesh *out) {
                      .flat = r->profile };
   bool ok = vs_grid_mesh(&g, out);
   free(at);
-  if (!ok || !r->filled) return ok;
-  vs_mesh added = { .vertices = out->vertices,
-                    .triangles = out->triangles + first,
-                    .triangle_count = out->triangle_count - first };
-  if (vs_mesh_volume(&added) < 0) vs_mesh_turn(out, first);
-  return true;
+  if (ok && r->filled) vs_mesh_turn_outwards(out, first);
+  return ok;
 }
 
 /* vs_revolve_bounds: each point of the profile moves on an arc about the axis, on which coordinate i is c + r (A cos t

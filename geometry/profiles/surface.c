@@ -144,9 +144,6 @@ bool vs_surface_mesh(const vs_node *n, vs_mesh *out) {
   };
   if (!g.rows) return true;
   if (!surface_append(&g, out)) return false;
-  vs_mesh added = { .vertices = out->vertices,
-                    .triangles = out->triangles + first,
-                    .triangle_count = out->triangle_count - first };
-  if (d.closed && vs_mesh_volume(&added) < 0) vs_mesh_turn(out, first);
+  if (d.closed) vs_mesh_turn_outwards(out, first);
   return true;
 }

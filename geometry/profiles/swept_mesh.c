@@ -58,11 +58,7 @@ static bool mesh_of(const vs_swept *s, const vs_quad_grid *g, bool may_be_inside
   bool back = false;
   for (size_t r = 0; r < steps; r++) back = back || g->by_number[r];
   if (!vs_grid_mesh(g, out)) return false;
-  vs_mesh added = { .vertices = out->vertices,
-                    .triangles = out->triangles + first,
-                    .triangle_count = out->triangle_count - first };
-  bool inside_out = may_be_inside_out && s->filled && vs_mesh_volume(&added) < 0;
-  if (inside_out) vs_mesh_turn(out, first);
+  bool inside_out = may_be_inside_out && s->filled && vs_mesh_turn_outwards(out, first);
   return !back || vs_overturn_fill(&(vs_overturn_rows){ s, g->numbers, g->by_number, steps, inside_out }, first, out);
 }
 
@@ -132,12 +128,8 @@ static bool mesh_of_strips(const vs_swept *s, const laid *l, vs_mesh *out) {
   if (s->filled && !s->joined)
     ok = ok && vs_grid_cap(&loops, l->numbers, out, true) &&
          vs_grid_cap(&loops, l->numbers + (rows - 1) * n, out, false);
-  if (!ok || !s->filled) return ok;
-  vs_mesh added = { .vertices = out->vertices,
-                    .triangles = out->triangles + before,
-                    .triangle_count = out->triangle_count - before };
-  if (vs_mesh_volume(&added) < 0) vs_mesh_turn(out, before);
-  return true;
+  if (ok && s->filled) vs_mesh_turn_outwards(out, before);
+  return ok;
 }
 
 bool vs_swept_mesh(const vs_swept *s, vs_mesh *out) {
