@@ -38,22 +38,28 @@
 ; Round: outwards the sum with a ball, inwards what no ball around a point of the boundary covers.
 (define (do-offset-solid o d #:join [join any? 'round])
   (let ((o (%solid-given 'do-offset-solid 'o o)))
+    (define (moved) (%moved 'do-offset-solid o d 'd (< d 0) (lambda (f k) (* k d))))
     (%need-length 'do-offset-solid 'd d)
     (if (not (memq join '(round sharp))) (error 'do-offset-solid "join must be 'round or 'sharp, got ~s" join))
     (cond
       ((or (= d 0) (empty-object? o)) o)
-      ((begin (if (< d 0) (%need-visible 'do-offset-solid 'd d o) (%need-similar 'do-offset-solid 'd d o)) (eq? join 'sharp)) (%moved 'do-offset-solid o d 'd (< d 0) (lambda (f k) (* k d))))
-      ((> d 0) (minkowski o (make-sphere origin d)))
-      (else (%shrunk o (- d))))))
+      ((< d 0)
+       (%need-visible 'do-offset-solid 'd d o)
+       (let ((made (if (eq? join 'sharp) (moved) (%shrunk o (- d)))))
+         (if (> (volume made) 0) made (%nothing-remains (- d)))))
+      (else
+       (%need-similar 'do-offset-solid 'd d o)
+       (if (eq? join 'sharp) (moved) (minkowski o (make-sphere origin d)))))))
 
-; Returns the points of o farther than d from its boundary. Those of a convex solid are between its moved faces.
+; Returns the points of o farther than d from its boundary: if there are none, an object without volume. Those of a
+; convex solid are between its moved faces.
 (define (%shrunk o d)
   (let* ((all (%faces-and-edges o)) (b (bounding-box o)) (v (p->q (first b) (second b)))
          (sharp (and (every %face-plane? (car all)) (every %edge-convex? (cdr all)) (%move-faces o (map (lambda (f) (- d)) (car all))))))
     (cond
-      ((<= (min (cx v) (cy v) (cz v)) (* 2 d)) (%nothing-remains d))
+      ((<= (min (cx v) (cy v) (cz v)) (* 2 d)) (empty-object))
       ((object? sharp) sharp)
-      (else (let ((made (subtract o (%do-offset-solid o (make-sphere origin d))))) (if (> (volume made) 0) made (%nothing-remains d)))))))
+      (else (subtract o (%do-offset-solid o (make-sphere origin d)))))))
 
 (define (%nothing-remains d)
   (%warn (format "do-offset-solid: nothing of o remains inside of the distance ~a (the empty object)" d))

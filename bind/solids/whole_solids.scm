@@ -162,12 +162,11 @@
   (%need-segments 'thread segments)
   (if (not (eq? standard 'metric)) (error 'thread "standard must be 'metric, got ~s" standard))
   (let* ((high (* (/ 5 8) (/ (sqrt 3) 2) pitch)) (r (/ d 2)) (root (- r high)) (n (or segments (%turn-facets r)))
-         (turns (+ 2 (ceiling (/ length pitch)))) (rows (* n turns)))
+         (turns (+ 2 (ceiling (/ length pitch)))))
     (if (<= root 0) (error 'thread "d must exceed ~a, the threads' depth on both sides, got ~a" (* 2 high) d))
-    (if (> rows 200000) (error 'thread "the thread has ~a turns of ~a facets, and 200000 facets are the most; give fewer #:segments" turns n))
-    (set! rows (exact rows))
+    (if (> (* n turns) 200000) (error 'thread "the thread has ~a turns of ~a facets, and 200000 facets are the most; give fewer #:segments" (if (finite? turns) (exact turns) "too many") n))
     ; the four points of a pitch at row i, from the beginning of the root's flat upwards
-    (let* ((step (/ pitch n)) (low (* -2 pitch))
+    (let* ((rows (exact (* n turns))) (step (/ pitch n)) (low (* -2 pitch))
            (radii (list root root r r)) (heights (map (lambda (k) (* k pitch)) '(0 1/4 9/16 11/16)))
            (row (lambda (i)
                   (let ((phi (* 2 pi (/ (modulo i n) n))) (z (+ low (* i step))))
@@ -209,15 +208,17 @@
   (let ((o (%solid-given 'emboss 'o o)))
     (if (not (and (object? region) (region? region))) (error 'emboss "region must be a region, got ~s" region))
     (%need-length 'emboss 'depth depth)
-    (if (or (= depth 0) (empty-object? o))
-        o
-        (let* ((n (begin (%need-similar 'emboss 'depth depth o) (%away-from o region))) (b (bounding-box (list o region))) (long (+ (* 2 (abs depth)) (* 2 (distance (first b) (second b)))))
-               (below (do-extrude region (v*r n (- long)))) ; from the region through o
-               (moved (do-move o (v*r n depth))))
-          (if (> depth 0)
-              (let ((above (do-extrude (do-move region (v*r n depth)) (v*r n (- long)))))
-                (unite o (intersect moved above)))
-              (subtract o (subtract below moved)))))))
+    (cond
+      ((or (= depth 0) (empty-object? o)) o)
+      (else
+       (%need-similar 'emboss 'depth depth o)
+       (let* ((n (%away-from o region)) (long (+ (* 2 (abs depth)) (* 2 (%size-of (list o region)))))
+              (below (do-extrude region (v*r n (- long)))) ; from the region through o
+              (moved (do-move o (v*r n depth))))
+         (if (> depth 0)
+             (let ((above (do-extrude (do-move region (v*r n depth)) (v*r n (- long)))))
+               (unite o (intersect moved above)))
+             (subtract o (subtract below moved))))))))
 
 ; ---- text along curves and on surfaces ----
 

@@ -74,3 +74,7 @@
 ; nothing remains inside: the empty object, with a warning
 (displayln (empty-object? (do-offset-solid brick -1)))                                           ; expect: #t
 ; expect warning 75: do-offset-solid: nothing of o remains inside of the distance 1 (the empty object)
+(displayln (empty-object? (do-offset-solid brick -1 #:join 'sharp)))                             ; expect: #t
+; expect warning 77: do-offset-solid: nothing of o remains inside of the distance 1 (the empty object)
+(displayln (empty-object? (do-offset-solid (unite (make-box origin 1 1 1) (make-box (xyz 5 0 0) (xyz 6 1 1))) -1/2))) ; expect: #t
+; expect warning 79: do-offset-solid: nothing of o remains inside of the distance 1/2 (the empty object)
