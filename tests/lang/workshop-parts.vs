@@ -68,3 +68,8 @@
 (displayln (label-contours '() 1))                       ; expect: ()
 (define refused (guard (c (#t (condition/report-string c))) (do-thicken (first (slices cone 3)) 1)))
 (displayln (string-contains? refused "do-thicken: s must be a curve, a region or a flat surface, got (layer")) ; expect: #t
+; contours without one height, and digits that coordinates cannot show
+(define (refusal f) (guard (c (#t (condition/report-string c))) (f)))
+(define upright (refusal (lambda () (label-contours (contours cone #:plane 'xz #:step 1) 0.5))))
+(displayln (string-contains? upright "label-contours: each curve of lines must have one height, got (make-polygon")) ; expect: #t
+(displayln (refusal (lambda () (label-contours (list (list (make-line (xy 0 0) (xy 8 0)))) 1e-300)))) ; expect: label-contours: size 1e-300 is too small for a curve 8.0 long
