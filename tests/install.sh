@@ -94,6 +94,21 @@ placed uninstall > "$work/why" 2>&1
 everything | diff "$work/before" - >> "$work/why"
 grep -Lx theirs "$root/share/applications/other.desktop" "$root/share/man/man1/other.1" >> "$work/why"
 result install/uninstall "$work/why"
+
+# An installation that ends before its last file can be removed as well.
+last=$root/share/visualscheme/python/visualscheme
+mkdir -p "$last"
+everything > "$work/blocked"
+mkdir -p "$last/__init__.py/a folder"
+placed install "$BUILD" 0.0.0 > "$work/log" 2>&1; status=$?
+rm -r "$last/__init__.py"
+: > "$work/why"
+{ [ $status = 1 ] && grep -q '__init__.py$' "$work/log" && [ -s "$root/bin/vs" ]; } || { echo "ended with $status"; cat "$work/log"; } > "$work/why"
+placed uninstall >> "$work/why" 2>&1
+everything | diff "$work/blocked" - >> "$work/why"
+result install/interrupted "$work/why"
+rm -r "$root/share/visualscheme"
+
 placed uninstall > "$work/log" 2>&1; status=$?
 : > "$work/why"
 [ $status = 2 ] && grep -q '^nothing to remove: there is no .*/usr/share/visualscheme/installed$' "$work/log" || { echo "ended with $status"; cat "$work/log"; } > "$work/why"

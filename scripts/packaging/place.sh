@@ -96,10 +96,11 @@ install)
     remove "$work/gone"
   fi
   (cd "$tree" && find . -type d) | while read -r path; do mkdir -p "$root/$path" || exit 1; done || fail "cannot write below $root"
+  # The list comes first: after an interrupted installation, uninstall finds what was placed.
+  mkdir -p "$root/${manifest%/*}" && { sed 's/^/f /' "$work/new"; echo "f $manifest"; cat "$work/folders"; } > "$root/$manifest" || fail "cannot write $root/$manifest"
   while read -r path; do
     rm -f "$root/$path" && cp -P "$tree/$path" "$root/$path" || fail "cannot write $root/$path"
   done < "$work/new"
-  { sed 's/^/f /' "$work/new"; echo "f $manifest"; cat "$work/folders"; } > "$root/$manifest" || fail "cannot write $root/$manifest"
   refresh ;;
 uninstall)
   [ -f "$root/$manifest" ] || { echo "nothing to remove: there is no $root/$manifest" >&2; exit 2; }
