@@ -271,6 +271,20 @@ static swept_stretch swept_stretch_of(const vs_path *path, size_t i, const vs_up
   return (swept_stretch){ steps, spin };
 }
 
+/* Returns the number of coarse steps in the first `stretches` stretches of a path. *step: greatest rotation in radians
+ * in one of them, 0 without a stretch. */
+static size_t swept_steps(const vs_path *path, size_t stretches, const vs_upright *upright, double twist,
+                          const vs_fineness *f, double *step) {
+  size_t count = 0;
+  *step = 0;
+  for (size_t i = 0; i < stretches; i++) {
+    double angle;
+    count += swept_stretch_of(path, i, upright, twist, f, &angle).steps;
+    *step = fmax(*step, angle);
+  }
+  return count;
+}
+
 /* Returns how often the coarse steps are halved, `count` in number: less often if there would be too many points. */
 static int swept_halvings(const vs_swept *s, const vs_twist *turning, size_t count, const vs_fineness *f) {
   int n = vs_twist_halvings(f, turning->step, turning->reach * fmax(1, fabs(turning->scale)));
@@ -352,13 +366,9 @@ static bool swept_along(vs_swept *s, vs_path *path, const swept_way *way, const 
   double zone = reach * fmax(1, fabs(scale)), rest = twist - full_turn * nearbyint(twist / full_turn), closing = 0;
   bool meets = path->closed && scale == 1, joins = meets && fabs(rest) < 1e-9;
   if (meets && !upright) ok = swept_closing(path, way->x, &closing);
-  size_t stretches = path->closed ? path->count : path->count - 1, count = 0;
+  size_t stretches = path->closed ? path->count : path->count - 1;
   vs_twist turning = { .scale = scale, .base = base, .reach = reach, .turn = fabs(twist + closing) };
-  for (size_t i = 0; ok && i < stretches; i++) {
-    double step;
-    count += swept_stretch_of(path, i, upright, twist + closing, f, &step).steps;
-    turning.step = fmax(turning.step, step);
-  }
+  size_t count = swept_steps(path, ok ? stretches : 0, upright, twist + closing, f, &turning.step);
   int halvings = ok ? swept_halvings(s, &turning, count, f) : 0;
   size_t parts = (size_t)1 << halvings;
   if (s->dense) vs_twist_rows(s, &turning, f);
@@ -495,12 +505,7 @@ static bool swept_extrude(vs_swept *s, const vs_node *n, const vs_fineness *f, v
   size_t stretches = !ok || x->twist == 0 || !(path.length > 0) ? 0
                      : path.closed                              ? path.count
                                                                 : path.count - 1,
-         count = 0;
-  for (size_t i = 0; i < stretches; i++) {
-    double step;
-    count += swept_stretch_of(&path, i, NULL, x->twist, f, &step).steps;
-    turning.step = fmax(turning.step, step);
-  }
+         count = swept_steps(&path, stretches, NULL, x->twist, f, &turning.step);
   int halvings = ok ? swept_halvings(s, &turning, count, f) : 0;
   if (ok && !vs_twist_divide(s, &turning, f)) ok = vs_error_memory(e, NULL);
   for (size_t i = 0; ok && i < path.count + (path.closed && turns); i++) {
