@@ -63,6 +63,13 @@ if command -v pkg-config > /dev/null; then
   said=$(PKG_CONFIG_PATH="$root/lib/pkgconfig" pkg-config --variable=libdir visualscheme 2>&1)
   [ "$said" = /usr/lib ] || echo "the library's folder is $said" >> "$work/why"
   PKG_CONFIG_PATH="$root/lib/pkgconfig" pkg-config --libs visualscheme >> "$work/log" 2>> "$work/why"
+  # The flags have the folder as the shell reads it, also with characters that mean something to sed, shell or pkg-config.
+  odd="$work/a & b|c'd"
+  PREFIX=$odd DESTDIR= STRIP= sh scripts/packaging/place.sh install "$BUILD" "$version" >> "$work/why" 2>&1
+  flags=$(PKG_CONFIG_PATH="$odd/lib/pkgconfig" pkg-config --cflags-only-I visualscheme 2>> "$work/why")
+  eval "set -- $flags"
+  [ "${1:-}" = "-I$odd/include" ] || echo "the header's folder is $flags" >> "$work/why"
+  PREFIX=$odd DESTDIR= sh scripts/packaging/place.sh uninstall >> "$work/why" 2>&1
   result install/pkg-config "$work/why"
 else echo "skip install/pkg-config: no pkg-config"; fi
 

@@ -29,6 +29,9 @@ place_all() {
 # stripped PATH OPTION...: removes from a placed file what only debuggers read.
 stripped() { path=$1; shift; [ -z "$STRIP" ] || $STRIP "$@" "$tree/$path" || fail "cannot strip $path"; }
 
+# escaped PATH: prints a path as pkg-config reads it, for the right side of a substitution by sed.
+escaped() { printf '%s' "$1" | sed "s/[^A-Za-z0-9_./+:-]/\\\\&/g" | sed 's/[\\&|]/\\&/g'; }
+
 # Lays the whole tree in the work folder.
 lay() {
   build=$1 version=$2 doc=share/doc/visualscheme
@@ -40,7 +43,7 @@ lay() {
   place 644 "$build/libvisualscheme.a" "$LIB/libvisualscheme.a"
   stripped "$LIB/libvisualscheme.a" -S
   place 644 visualscheme.h include/visualscheme.h
-  sed "s|@PREFIX@|$PREFIX|; s|@LIB@|$LIB|; s|@VERSION@|$version|" scripts/packaging/visualscheme.pc > "$work/pc"
+  sed "s|@PREFIX@|$(escaped "$PREFIX")|; s|@LIB@|$(escaped "$LIB")|; s|@VERSION@|$version|" scripts/packaging/visualscheme.pc > "$work/pc" || fail "cannot make visualscheme.pc"
   place 644 "$work/pc" "$LIB/pkgconfig/visualscheme.pc"
 
   sh scripts/man.sh "$version" > "$work/vs.1" || fail "cannot make the manual page"
