@@ -46,6 +46,8 @@ ESBUILD   = $(firstword $(wildcard node_modules/@esbuild/*/bin/esbuild))
 BUNDLE    = $(ESBUILD) --bundle --minify --format=iife --target=es2022 --legal-comments=eof --log-level=warning
 UNBUNDLED = if [ -f bundled/$(@F) ]; then cp bundled/$(@F) $@; else : > $@; fi
 
+# A recipe that fails, as on a full disk, leaves no target that the next make takes for finished.
+.DELETE_ON_ERROR:
 
 all: $(BUILD)/libvisualscheme.a $(BUILD)/vs ## build the library and the program, build/vs
 

@@ -8,6 +8,7 @@ shift 2
 case $format in
   elf) echo '.section vs_files,"a"' ;;
   wasm) echo '.section .rodata.vs_files,"",@' ;;
+  *) echo "embed.sh: the format must be elf or wasm, got $format" >&2; exit 2 ;;
 esac
 while [ $# -gt 0 ]; do
   printf '.balign %s\n.globl %s\n.hidden %s\n.type %s,@object\n%s:\n' "$align" "$1" "$1" "$1" "$1"
