@@ -95,8 +95,7 @@ static bool aside_ready(live_aside *a) {
   return a->scheme != NULL;
 }
 
-/* Reads the description of a picture: "WIDTHxHEIGHT QUALITY EYE TARGET LENS". Items at the end may be missing. */
-static void aside_picture(const char *text, vs_output_options *o) {
+void live_aside_picture(const char *text, vs_output_options *o) {
   static const char *const qualities[] = { "draft", "good", "final" };
   int width = 0, height = 0;
   char quality[8] = "";
@@ -131,7 +130,7 @@ static void aside_make(live_aside *a, live_wish *w) {
   a->now = w;
   a->said.length = 0;
   live_said_begin(&a->messages);
-  aside_picture(w->value, &o);
+  live_aside_picture(w->value, &o);
   if (aside_ready(a)) {
     aside_values(a, w, true);
     outcome = vs_restart(a->scheme);

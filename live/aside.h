@@ -30,6 +30,9 @@ bool live_aside_open(live_aside *a);
 /* Makes the output for the next request. Returns false if no request arrives within wait_ms milliseconds. The side's
  * thread calls this function; in a view without threads, the session calls it. */
 bool live_aside_turn(live_aside *a, long wait_ms);
+/* Sets the members of *o that the text describes, a picture: "WIDTHxHEIGHT QUALITY EYE TARGET LENS". Items at the end
+ * may be missing. */
+void live_aside_picture(const char *text, vs_output_options *o);
 void live_aside_close(live_aside *a); /* Ends the thread. The caller must first set publish->ended. */
 
 #endif

@@ -453,17 +453,14 @@ static bool export_aside(live *l, live_wish *w) {
   }
   free(w->given);
   w->given = values.failed ? NULL : values.at != NULL ? values.at : strdup("");
-  if (w->id == NULL) w->id = strdup("");
   if (values.failed) live_text_free(&values);
-  return w->given != NULL && w->id != NULL && live_wish_pass(&l->publish, &l->publish.exports, w);
+  return w->given != NULL && live_wish_pass(&l->publish, &l->publish.exports, w);
 }
 
 static void run_export(live *l, live_wish *w) {
   vs_output_options o = l->options->output;
   live_text bytes = { 0 };
-  int width = 0, height = 0;
-  if (sscanf(w->value, "%5dx%5d", &width, &height) == 2 && width > 0 && height > 0 && width <= 8192 && height <= 8192)
-    o.width = width, o.height = height;
+  live_aside_picture(w->value, &o);
   bool steps = strcmp(w->name, STEPS) == 0; /* steps: whether the output shows the model's construction; a window
                                              * displays it itself, so no event reports it */
   if (!steps && export_aside(l, w)) return;
