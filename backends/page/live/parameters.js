@@ -24,8 +24,8 @@ export const pointText = (xyz) => `(xyz ${xyz.map((x) => String(Number(x.toPreci
 
 export class Parameters {
   // set(name, value) passes on a value in the language's spelling. write() writes all changed values into the source.
-  // link() returns an address with the values, or a promise of it; lasting: whether it works after this view has ended. compare(sets) shows sets beside each other. place() returns the model's
-  // path.
+  // link() returns an address with the values, or a promise of it; lasting: whether it works after this view has ended.
+  // compare(sets) shows sets beside each other. place() returns the model's path.
   constructor({ set, write, link, lasting, compare, place }) {
     this.set = set;
     this.compare = compare;
@@ -43,12 +43,11 @@ export class Parameters {
       const address = await link();
       try {
         await navigator.clipboard.writeText(address);
-        this.#say("The link is copied." +
-                  (lasting ? "" : " It contains this view's key: whoever has it can change the model while this view runs."));
+        this.#say("The link is copied." + (lasting ? "" : " It contains this view's key: whoever has it can change the model while this view runs."));
       } catch {
         this.#say(address);
       }
-    }, { title: "An address that opens this view with these values. It contains the view's key" });
+    }, { title: "An address that opens this view with these values" + (lasting ? "" : ". It contains the view's key") });
     this.root = el("details", { class: "parameters glass", open: innerWidth > 720, hidden: true }, el("summary", {}, "Parameters"), this.list,
       el("div", { class: "write" }, this.writeButton, this.resetButton),
       el("h3", { class: "apart" }, "Sets of values"), this.setList,
