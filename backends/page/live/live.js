@@ -373,6 +373,7 @@ export class Live {
     if (quietly && hash === this.hash) return;
     this.hash = hash;
     this.source.load(text);
+    this.#settle();
     this.saveButton.disabled = true;
   }
 
@@ -384,6 +385,7 @@ export class Live {
     this.hash = (await answer.json()).hash;
     this.conflict.close();
     this.source.saved(text);
+    this.#settle();
     this.saveButton.disabled = !this.source.dirty;
   }
 
@@ -396,19 +398,17 @@ export class Live {
   async #showConflict() {
     const { text, hash } = await this.#onDisk();
     if (hash === undefined) return this.#status("the file cannot be read", true);
-    this.disk = { text, hash };
+    this.diskHash = hash;
     this.conflict.open(this.source.text, text);
   }
   #keepMine() {
-    this.hash = this.disk.hash;
+    this.hash = this.diskHash;
     return this.save();
   }
   async #takeTheirs() {
     this.conflict.close();
-    this.hash = this.disk.hash;
-    this.source.load(this.disk.text);
-    this.saveButton.disabled = true;
-    await this.#attempt(this.disk.text);
+    await this.readSource(); // The file may have changed again since both texts were shown.
+    await this.#attempt(this.source.text);
   }
 
   // ---- drawing while the user types ----
@@ -435,11 +435,16 @@ export class Live {
     while (this.wanted !== undefined) {
       const next = this.wanted, coarse = this.state?.seconds > SLOW_SECONDS || this.rough;
       this.wanted = undefined;
-      await this.#try(next, coarse);
+      await this.#try(next, coarse).catch((error) => console.info("the text was not sent:", error.message));
       await new Promise((go) => setTimeout(go, 30));
       if (coarse && this.wanted === undefined) this.refining = setTimeout(() => this.#try(next, false), STILL_MS);
     }
     this.attempting = false;
+  }
+  // The text is the file's again, and the next run draws it whole: a text from before must not replace it.
+  #settle() {
+    clearTimeout(this.refining);
+    this.rough = false;
   }
   // rough: true while the picture is that of a coarse run, whose time says little about that of a whole one.
   #try(text, coarse) {
@@ -586,7 +591,7 @@ export class Live {
     const format = this.formats.value, suffix = this.suffixes.get(format);
     this.exportButton.disabled = true;
     this.stopButton.disabled = false;
-    const answer = await ask(`/export?format=${format}&size=1280x800&id=${id}`);
+    const answer = await ask(`/export?format=${format}&size=1280x800&id=${id}`).catch((error) => new Response(error.message, { status: 503 }));
     this.exporting = null;
     this.telling.delete(id);
     this.exportButton.disabled = false;
