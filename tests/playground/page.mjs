@@ -83,6 +83,21 @@ await test("a slider, the prompt and an error", async (want) => {
   await page.context().close();
 });
 
+await test("a saved program, and an opened file, are there after a reload", async (want) => {
+  const page = await visit(base + "#example=arcade.vs"), box = (size) => `(draw (make-box (xyz 0 0 0) 1 2 ${size}))`;
+  const shown = (text) => page.waitForFunction((text) => window.live?.source?.text === text && window.live.finished > 0, text, { timeout: 60000 });
+  await good(page);
+  await write(page, box(3));
+  await page.reload();
+  await shown(box(3));
+  for (const size of [4, 5]) { // The address is the same the second time.
+    await page.evaluate((text) => { window.playground.add([new File([text], "box.vs")]); }, box(size));
+    await shown(box(size));
+  }
+  want(page.troubles.length === 0, page.troubles.join("; "));
+  await page.context().close();
+});
+
 await test("Stop ends an endless program", async (want) => {
   const page = await visit(base + "#example=arcade.vs");
   await good(page);

@@ -7,9 +7,9 @@ const SLOW = 300; // Milliseconds after which the Stop button is enabled althoug
 
 export class Engine {
   // open(): { model, files: [[path, text or bytes]] }, asked for each new worker. worker(): a new worker. start: the
-  // worker's first message. told(state): receives each state of the view.
-  constructor({ open, worker, start, told }) {
-    Object.assign(this, { makeOpen: open, makeWorker: worker, start, told });
+  // worker's first message.
+  constructor({ open, worker, start }) {
+    Object.assign(this, { makeOpen: open, makeWorker: worker, start });
     this.held = true;
     this.later = []; // Requests that wait for the first run.
     this.number = 0;
@@ -50,10 +50,8 @@ export class Engine {
     if (data.kind === "ready") this.opened = true;
     else if (data.kind === "failed") this.#failed(data.message);
     else if (data.kind === "files") this.#answer(data.id, data.files);
-    else if (data.kind === "part") {
-      this.told?.(new TextDecoder().decode(data.bytes));
-      this.streams.get(data.id)?.enqueue(new Uint8Array(data.bytes));
-    } else if (data.open) {
+    else if (data.kind === "part") this.streams.get(data.id)?.enqueue(new Uint8Array(data.bytes));
+    else if (data.open) {
       const body = new ReadableStream({ start: (controller) => this.streams.set(data.id, controller) });
       this.#answer(data.id, new Response(body, { status: data.status, headers: { "Content-Type": data.type } }));
     } else {
@@ -103,7 +101,6 @@ export class Engine {
 
   #failed(message) {
     console.error(message);
-    this.problem = message;
     this.#again(/memory|allocat/i.test(message) ? "the page has no more memory" : /stack|recursion/i.test(message) ? "the stack is full" : message);
   }
 

@@ -11,7 +11,15 @@ const here = new URL(".", location.href).href, embedded = window.parent !== wind
 const fragment = Object.fromEntries(location.hash.slice(1).split("&").map((word) => [word.split("=")[0], word.slice(word.indexOf("=") + 1)]));
 
 const stored = () => { try { return JSON.parse(localStorage.getItem(STORED)); } catch { return null; } };
-const store = (program) => { try { localStorage.setItem(STORED, JSON.stringify(program)); } catch { /* there is no room, or no storage */ } };
+// Keeps a program, and returns true if there are room and storage for it.
+const store = (program) => { try { localStorage.setItem(STORED, JSON.stringify(program)); return true; } catch { return false; } };
+const KEPT = "stored"; // The part after the # of an address that opens the kept program.
+
+// Opens the program that the part after the # of an address names; the page may have this address already.
+function visit(part) {
+  if (location.hash === "#" + part) location.reload();
+  else location.hash = part;
+}
 
 // A page from a file may not fetch: all files are in a script then.
 const fromFile = location.protocol === "file:";
@@ -58,19 +66,20 @@ class Playground {
     window.playground = this;
   }
 
-  // Passes a request on. A saved text is kept in this browser, too.
+  // Passes a request on. A saved text is kept in this browser, too, and a reload opens it. A frame in another page keeps
+  // nothing: the browser has one kept program, the user's own.
   async #ask(path, options) {
     const answer = await this.engine.ask(path, options);
     if (path.startsWith("/source?") && answer.ok) {
       this.program = { ...this.program, text: options.body };
-      store({ name: this.program.name, text: options.body, values: [], example: this.program.example });
+      if (!embedded && store({ name: this.program.name, text: options.body, values: [], example: this.program.example })) history.replaceState(null, "", "#" + KEPT);
     }
     return answer;
   }
 
   #tools() {
     const button = (text, title, onclick) => el("button", { type: "button", class: "button", title, onclick }, text);
-    const chosen = el("select", { "aria-label": "Examples", onchange: () => { if (chosen.value) location.hash = "example=" + encodeURIComponent(chosen.value); } },
+    const chosen = el("select", { "aria-label": "Examples", onchange: () => { if (chosen.value) visit("example=" + encodeURIComponent(chosen.value)); } },
       el("option", { value: "" }, "Examples"), this.names.map(([name]) => name).filter((name) => /^model\/examples\/[^/]+\.vs$/.test(name)).map((name) => el("option", { value: name.split("/").pop() }, name.split("/").pop().replace(/\.vs$/, "").replace(/-/g, " "))));
     const pick = el("input", { type: "file", multiple: true, hidden: true, onchange: () => this.add([...pick.files]) });
     this.said = el("span", { role: "status" });
@@ -103,8 +112,8 @@ class Playground {
     for (const file of list) {
       const bytes = new Uint8Array(await file.arrayBuffer());
       if (/\.(vs|scm|js|gml|lsp)$/.test(file.name)) {
-        store({ name: file.name, text: new TextDecoder().decode(bytes), values: [] });
-        location.hash = "stored";
+        if (store({ name: file.name, text: new TextDecoder().decode(bytes), values: [] })) visit(KEPT);
+        else this.said.textContent = `${file.name} does not fit into this browser's storage.`;
         return;
       }
       const path = this.model.slice(0, this.model.lastIndexOf("/") + 1) + file.name;
