@@ -105,6 +105,8 @@ await test("Stop ends an endless program", async (want) => {
   await page.waitForFunction(() => !window.live.stopButton.disabled, null, { timeout: 20000 });
   await page.evaluate(() => window.live.stopButton.click());
   await page.waitForFunction(() => window.live.stopButton.disabled, null, { timeout: 20000 });
+  await page.waitForTimeout(500);
+  want(await page.evaluate(() => window.live.status.textContent) === "stopped", "the status: " + await page.evaluate(() => window.live.status.textContent));
   await write(page, "(draw (make-box (xyz 0 0 0) 1 2 3))");
   await page.waitForFunction(() => window.live.state?.good && window.visualscheme.model.count === 1 && window.visualscheme.model.size[2] === 3, null, { timeout: 60000 });
   want(page.troubles.length === 0, page.troubles.join("; "));

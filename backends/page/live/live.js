@@ -38,7 +38,8 @@ const progress = (phase, fraction) => phase + (fraction >= 0 ? " " + Math.round(
 
 export class Live {
   // server: ask, the function above; values, the parameters set at first, as [name, value]; link(values), the address
-  // that shows this model with these values; lasting, whether it works later, too.
+  // that shows this model with these values; lasting, whether it works later, too; ended(), why the server has ended, if
+  // it can say so.
   constructor(server) {
     this.server = server;
     ask = server.ask;
@@ -154,7 +155,7 @@ export class Live {
       } catch (error) {
         console.info("the view's server is gone:", error.message);
       }
-      this.#status("the server has ended", true);
+      this.#status(this.server.ended?.() ?? "the server has ended", true);
       await new Promise((go) => setTimeout(go, wait));
     }
   }

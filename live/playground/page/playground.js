@@ -48,10 +48,11 @@ class Playground {
       worker: () => fromFile ? new Worker(URL.createObjectURL(new Blob([window.visualschemeEngine, "\n", window.visualschemeWorker], { type: "text/javascript" }))) : new Worker("worker.js"),
       start: fromFile ? { program: bytesOf(window.visualschemeProgram) } : { names: names.filter(([name]) => "/" + name !== this.model).map(([name, url]) => ["/" + name, url]) },
     });
-    this.live = new Live({ ask: (path, options) => this.#ask(path, options), values: program.values, link: (values) => this.link(values), lasting: true });
+    this.live = new Live({ ask: (path, options) => this.#ask(path, options), values: program.values, link: (values) => this.link(values), lasting: true, ended: () => this.why });
     this.engine.halted = (why) => {
       this.live.version = 0; // The next program numbers its scenes from 1 again.
       this.live.pieces.clear();
+      this.why = why;
       this.live.status.textContent = why;
       this.live.status.classList.add("bad");
     };
