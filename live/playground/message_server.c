@@ -21,7 +21,7 @@ struct MHD_Response {
   void *context;
   char type[64];
 };
-struct MHD_Connection { const message *asked; };
+struct MHD_Connection { const message *asked; bool answered; };
 struct MHD_Daemon { MHD_AccessHandlerCallback handle; MHD_RequestCompletedCallback completed;
   void *(*begun)(void *context, const char *uri, struct MHD_Connection *c);
   void *context, *completed_context, *begun_context; };
@@ -61,12 +61,6 @@ void MHD_stop_daemon(struct MHD_Daemon *d) {
   (void)d;
   if (open_response != NULL) MHD_destroy_response(open_response);
   open_response = NULL;
-}
-
-const union MHD_DaemonInfo *MHD_get_daemon_info(struct MHD_Daemon *d, enum MHD_DaemonInfoType what, ...) {
-  static const union MHD_DaemonInfo port = { .port = 0 };
-  (void)d, (void)what;
-  return &port;
 }
 
 const union MHD_ConnectionInfo *MHD_get_connection_info(struct MHD_Connection *c, enum MHD_ConnectionInfoType what,
@@ -123,6 +117,7 @@ enum MHD_Result MHD_add_response_header(struct MHD_Response *r, const char *name
 }
 
 enum MHD_Result MHD_queue_response(struct MHD_Connection *c, unsigned status, struct MHD_Response *r) {
+  c->answered = true;
   playground_answer(c->asked->id, status, r->type, r->bytes, r->count, r->read != NULL);
   if (r->read == NULL) return MHD_YES;
   response *before = open_response;
@@ -155,14 +150,15 @@ void playground_pump(void) {
 }
 
 void playground_ask(const message *m) {
-  struct MHD_Connection c = { m };
+  struct MHD_Connection c = { .asked = m };
   void *state = server.begun != NULL ? server.begun(server.begun_context, m->path, &c) : NULL;
-  size_t size = 0;
-  server.handle(server.context, &c, m->path, m->method, "HTTP/1.1", NULL, &size, &state);
-  size = m->size;
-  if (size > 0) server.handle(server.context, &c, m->path, m->method, "HTTP/1.1", m->body, &size, &state);
-  size = 0;
-  server.handle(server.context, &c, m->path, m->method, "HTTP/1.1", NULL, &size, &state);
+  const struct { const char *bytes; size_t size; } calls[] = { { NULL, 0 }, { m->body, m->size }, { NULL, 0 } };
+  for (size_t i = 0; i < sizeof calls / sizeof *calls && !c.answered; i++) { /* headers, body, end; a refused request
+                                                                              * has its answer after its headers */
+    size_t size = calls[i].size;
+    if (i == 1 && size == 0) continue;
+    server.handle(server.context, &c, m->path, m->method, "HTTP/1.1", calls[i].bytes, &size, &state);
+  }
   if (server.completed != NULL)
     server.completed(server.completed_context, &c, &state, MHD_REQUEST_TERMINATED_COMPLETED_OK);
 }
