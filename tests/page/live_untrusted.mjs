@@ -1,5 +1,5 @@
 // Owns the tests of the view of an untrusted model: `live_untrusted.mjs VS FOLDER`.
-import { existsSync, mkdirSync, readFileSync, symlinkSync, writeFileSync } from "node:fs";
+import { existsSync, mkdirSync, readFileSync, readdirSync, symlinkSync, writeFileSync } from "node:fs";
 import { session } from "./live_session.mjs";
 
 const [, , vs, folder] = process.argv, inner = `${folder}/inner`, model = `${inner}/stranger.vs`, secret = `${folder}/secret.txt`, made = `${inner}/made.txt`;
@@ -27,11 +27,10 @@ await test("an untrusted model runs confined", async (want) => {
   want(printed.startsWith("a part of its own folder; "), "it cannot read its own folder: " + printed);
   ways.forEach((way, i) => want(new RegExp(`^(.*; )?${i}:(refused|#f|0)$`, "m").test(printed), `${way}: ${printed.split("\n")[i]}`));
   want(!printed.includes("secret") && !existsSync(made) && existsSync(`${inner}/part.vs`), "it got out: " + printed);
-  for (const task of ["status"]) {
-    const status = readFileSync(`/proc/${server.pid}/${task}`, "utf8");
-    want(/^NoNewPrivs:\s+1$/m.test(status) && /^Seccomp:\s+2$/m.test(status), "the process is not confined");
+  for (const task of readdirSync(`/proc/${server.pid}/task`)) {
+    const status = readFileSync(`/proc/${server.pid}/task/${task}/status`, "utf8");
+    want(/^NoNewPrivs:\s+1$/m.test(status) && /^Seccomp:\s+2$/m.test(status), `the thread ${/^Name:\s+(.*)$/m.exec(status)[1]} is not confined`);
   }
-  want(readFileSync(`/proc/${server.pid}/environ`, "utf8") !== undefined, "no process");
 });
 
 await test("an endless untrusted model ends at its limit of time", async (want) => {
