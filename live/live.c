@@ -441,8 +441,8 @@ static unsigned pass_mask(const char *name) {
 static const char STEPS[] = "x3d-steps";
 
 /* Passes an export to the side `exporter`, so that a save of the file does not wait for the export. The side runs
- * the model anew. Returns false if the current drawing may differ from the result of the model's text, or if memory
- * is out. */
+ * the model anew. Returns false if the current drawing may differ from the result of the model's text, if a value
+ * contains a separator of live_wish.given, or if memory is out. */
 static bool export_aside(live *l, live_wish *w) {
   if (l->publish.alone != NULL || l->follows || l->prompted || l->moved || !l->good) return false;
   live_text values = { 0 };
@@ -450,6 +450,7 @@ static bool export_aside(live *l, live_wish *w) {
   for (size_t i = 0; i < vs_parameter_count(l->scheme) && vs_parameter_get(l->scheme, i, &p); i++) {
     if (same_value(p.value, p.default_value)) continue;
     live_putf(&values, "%s%c%s%c", p.name, LIVE_UNIT, p.value, LIVE_RECORD);
+    values.failed = values.failed || strpbrk(p.value, (const char[]){ LIVE_UNIT, LIVE_RECORD, 0 }) != NULL;
   }
   free(w->given);
   w->given = values.failed ? NULL : values.at != NULL ? values.at : strdup("");

@@ -5,7 +5,7 @@ import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import net from "node:net";
 
 const [, , vs, folder] = process.argv, model = `${folder}/model.vs`, only = process.env.ONLY || "";
-const source = "(define-parameter height 3.0)\n(draw (make-box origin (xyz 1 1 height)))\n";
+const source = '(define-parameter height 3.0)\n(define-parameter label "")\n(draw (make-box origin (xyz (+ 1 (string-length label)) 1 height)))\n';
 mkdirSync(folder, { recursive: true });
 writeFileSync(model, source);
 const server = spawn(vs, ["view", "-q", model], { stdio: ["ignore", "pipe", "pipe"] });
@@ -104,6 +104,14 @@ await test("HEAD answers as GET does, without a body", async (check) => {
   }
   check((await ask("HEAD", "/source", [host])).status === 403, "HEAD without the token");
   check((await ask("HEAD", "/nothing")).status === 404, "HEAD of no path");
+});
+
+await test("an export has a text with any character", async (check) => {
+  for (const text of ["\x1f", "x\x1fy\x1ez", "\x1e\x1e", "é\n\""]) {
+    check((await ask("POST", "/set?name=label", [host, key], text)).status === 202, "it cannot be set");
+    const { status, body } = await ask("GET", "/export?format=off");
+    check(status === 200 && body.includes(`\n${text.length + 1} 1 3\n`), `${JSON.stringify(text)}: ${status} ${body.slice(0, 80)}`);
+  }
 });
 
 await test("the formats are those of the program", async (check) => {
