@@ -132,6 +132,12 @@ await test("a shared program waits to be run", async (want) => {
   await good(other);
   await other.waitForFunction(() => window.visualscheme.model?.size?.[2] === 7, null, { timeout: 20000 });
   await other.context().close();
+  for (const damaged of [address.slice(0, -20), base + "#program=", base + "#program=%"]) {
+    const instead = await visit(damaged);
+    await good(instead);
+    want(/damaged/.test(await instead.locator(".tools [role=status]").textContent()), damaged.slice(-20) + " is not said to be damaged");
+    await instead.context().close();
+  }
   await page.context().close();
 });
 

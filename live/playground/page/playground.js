@@ -68,7 +68,7 @@ class Playground {
   }
 
   // Passes a request on. A saved text is kept in this browser, too, and a reload opens it. A frame in another page keeps
-  // nothing: the browser has one kept program, the user's own.
+  // no saved text: the browser has one kept program, the user's own.
   async #ask(path, options) {
     const answer = await this.engine.ask(path, options);
     if (path.startsWith("/source?") && answer.ok) {
@@ -137,8 +137,8 @@ async function chosen(names) {
 }
 
 async function open() {
-  const names = await files();
-  new Playground(await chosen(names), names);
+  const names = await files(), program = await chosen(names), { said } = new Playground(program, names);
+  if (fragment.program !== undefined && !program.stranger) said.textContent = "The program in this address is damaged. Another program is shown.";
 }
 open().catch((error) => document.getElementById("live").append(el("p", { class: "notice" }, "The playground could not be opened: " + error.message)));
 if ("serviceWorker" in navigator && !fromFile && !embedded) navigator.serviceWorker.register("service.js").catch(() => {});

@@ -25,7 +25,7 @@ export async function unpack(packed) {
     }
     const { name, text, values } = JSON.parse(await new Blob(parts).text());
     const words = (x) => typeof x === "string";
-    if (!words(name) || !words(text) || !/^[^/\0]{1,80}$/.test(name) || !Array.isArray(values)) return null;
+    if (!words(name) || !words(text) || !/^(?!\.\.?$)[^/\0]{1,80}$/.test(name) || !Array.isArray(values)) return null;
     return { name, text, values: values.filter((v) => Array.isArray(v) && v.length === 2 && v.every(words)) };
   } catch {
     return null;
