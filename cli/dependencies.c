@@ -5,9 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/batch/whole_file.h"
 #include "model/store/array.h"
-
-enum { PATH_ROOM = 4096 };
 
 bool cli_dependencies_add(cli_session *c, const char *output) {
   if (!c->options->dependencies || !strcmp(output, "-")) return true;
@@ -58,19 +57,14 @@ static bool is_nameable(const char *name) {
 
 bool cli_dependencies_write(cli_session *c) {
   const char *path = c->options->dependencies, *name;
-  char part[PATH_ROOM];
+  cli_whole_file file;
   bool ok = true;
   if (!path) return true;
   for (size_t i = 0; ok && i < c->output_count; i++) ok = is_nameable(c->outputs[i]);
   for (size_t i = 0; ok && (name = vs_input_name(c->scheme, i)) != NULL; i++) ok = is_nameable(name);
   if (!ok) return false;
-  int n = snprintf(part, sizeof part, "%s.part", path);
-  FILE *to = n > 0 && n < PATH_ROOM ? fopen(part, "wb") : NULL;
+  FILE *to = cli_whole_begin(&file, path);
   if (to) put_rules(to, c);
-  ok = to && !ferror(to);
-  if (to && fclose(to) != 0) ok = false;
-  ok = ok && rename(part, path) == 0;
-  if (!ok) fprintf(stderr, "vs: cannot write %s: %s\n", path, strerror(errno));
-  if (!ok && to) remove(part);
-  return ok;
+  if (cli_whole_end(&file, true)) return true;
+  return fprintf(stderr, "vs: cannot write %s: %s\n", path, strerror(errno)), false;
 }

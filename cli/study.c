@@ -7,6 +7,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "cli/batch/whole_file.h"
 #include "cli/draft.h"
 #include "cli/messages.h"
 #include "languages/checks/checks.h"
@@ -200,19 +201,9 @@ static void unable(void *context, const know_place *at, const char *text) {
 /* Writes a file that appears only when it is complete. */
 static bool write_whole(const char *path, const char *text, size_t length) {
   if (!path || !strcmp(path, "-")) return fwrite(text, 1, length, stdout) == length;
-  char part[4096];
-  int n = snprintf(part, sizeof part, "%s.part", path);
-  if (n < 0 || n >= (int)sizeof part) return errno = ENAMETOOLONG, false;
-  FILE *to = fopen(part, "wb");
-  if (!to) return false;
-  bool ok = fwrite(text, 1, length, to) == length;
-  ok = fclose(to) == 0 && ok && rename(part, path) == 0;
-  if (!ok) {
-    int why = errno;
-    remove(part);
-    errno = why;
-  }
-  return ok;
+  cli_whole_file file;
+  FILE *to = cli_whole_begin(&file, path);
+  return cli_whole_end(&file, to && fwrite(text, 1, length, to) == length);
 }
 
 enum { FACETS = 64 /* number of facets in a full turn if --segments is not given */ };

@@ -26,6 +26,7 @@
 #include "cli/batch/part_files.h"
 #include "cli/batch/part_states.h"
 #include "cli/batch/ranges.h"
+#include "cli/batch/whole_file.h"
 #include "cli/json.h"
 #include "cli/usage/output_files.h"
 
@@ -355,18 +356,13 @@ static bool may_write_picture(const batch *b, const picture *p) {
 /* Writes a file by calling `fill`. The file gets its name only when it is complete. If lock is not NULL, the file is
  * locked before it gets its name, and *lock becomes its descriptor. */
 static bool write_whole(const batch *b, const char *path, void (*fill)(const batch *b, FILE *to), int *lock) {
-  char part[PATH_ROOM];
+  cli_whole_file file;
   if (!may_write(b, path)) return false;
-  int n = snprintf(part, sizeof part, "%s.part", path);
-  FILE *to = n > 0 && n < (int)sizeof part ? fopen(part, "wb") : NULL;
+  FILE *to = cli_whole_begin(&file, path);
   if (to && lock) *lock = fcntl(fileno(to), F_DUPFD_CLOEXEC, 0), flock(*lock, LOCK_EX | LOCK_NB);
   if (to) fill(b, to);
-  bool ok = to && !ferror(to);
-  if (to && fclose(to) != 0) ok = false;
-  ok = ok && rename(part, path) == 0;
-  if (!ok) fprintf(stderr, "vs render: cannot write %s: %s\n", path, strerror(errno));
-  if (!ok && to) remove(part);
-  return ok;
+  if (cli_whole_end(&file, true)) return true;
+  return fprintf(stderr, "vs render: cannot write %s: %s\n", path, strerror(errno)), false;
 }
 
 static void fill_manifest(const batch *b, FILE *to) {

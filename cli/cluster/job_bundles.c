@@ -2,7 +2,6 @@
 #define _GNU_SOURCE
 #include "cli/cluster/job_bundles.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -112,17 +111,6 @@ static void put_join(FILE *to, const job_record *r) {
   fputc('\n', to);
 }
 
-static bool write_script(const job_record *r, const char *name, void (*put)(FILE *to, const job_record *r)) {
-  char path[JOB_PATH_ROOM];
-  job_record_path(r, name, path);
-  FILE *to = fopen(path, "wb");
-  if (to) put(to, r);
-  bool ok = to && !ferror(to);
-  if (to && fclose(to) != 0) ok = false;
-  if (!ok) fprintf(stderr, "vs: cannot write %s: %s\n", path, strerror(errno));
-  return ok;
-}
-
 bool job_scripts_write(const job_record *r) {
-  return write_script(r, "bundles.sh", put_bundles) && write_script(r, "join.sh", put_join);
+  return job_record_put(r, "bundles.sh", put_bundles) && job_record_put(r, "join.sh", put_join);
 }

@@ -11,6 +11,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "cli/batch/whole_file.h"
 #include "cli/json.h"
 #include "cli/json_data.h"
 
@@ -92,18 +93,17 @@ static void put_record(FILE *to, const job_record *r) {
   fputs("]}\n", to);
 }
 
-bool job_record_write(const job_record *r) {
-  char path[JOB_PATH_ROOM], part[JOB_PATH_ROOM];
-  job_record_path(r, "jobs.json", path), job_record_path(r, "jobs.json.part", part);
-  FILE *to = fopen(part, "wb");
-  if (to) put_record(to, r);
-  bool ok = to && !ferror(to);
-  if (to && fclose(to) != 0) ok = false;
-  ok = ok && rename(part, path) == 0;
-  if (!ok) fprintf(stderr, "vs: cannot write %s: %s\n", path, strerror(errno));
-  if (!ok && to) remove(part);
-  return ok;
+bool job_record_put(const job_record *r, const char *name, void (*put)(FILE *to, const job_record *r)) {
+  char path[JOB_PATH_ROOM];
+  cli_whole_file file;
+  job_record_path(r, name, path);
+  FILE *to = cli_whole_begin(&file, path);
+  if (to) put(to, r);
+  if (cli_whole_end(&file, true)) return true;
+  return fprintf(stderr, "vs: cannot write %s: %s\n", path, strerror(errno)), false;
 }
+
+bool job_record_write(const job_record *r) { return job_record_put(r, "jobs.json", put_record); }
 
 /* ---- reading ---- */
 

@@ -2,6 +2,8 @@
 #ifndef VS_CLI_CLUSTER_JOB_RECORD_H
 #define VS_CLI_CLUSTER_JOB_RECORD_H
 
+#include <stdio.h>
+
 #include "cli/options.h"
 #include "cli/sweep/sweep_table.h"
 
@@ -45,6 +47,8 @@ bool job_record_enter(job_record *r);
 #define JOB_NODES "failed-nodes"
 /* Writes the path of a file of the batch, such as bundles.sh, into path. */
 void job_record_path(const job_record *r, const char *name, char path[JOB_PATH_ROOM]);
+/* Writes a file of the batch by calling `put`, whole or not at all. Returns false after a message. */
+bool job_record_put(const job_record *r, const char *name, void (*put)(FILE *to, const job_record *r));
 /* Locks the folder's jobs for this process. Returns a descriptor, whose end unlocks them; -1 after a message. */
 int job_record_lock(const job_record *r);
 /* Returns true if a process has locked the folder's jobs. */

@@ -10,6 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "cli/batch/whole_file.h"
 #include "cli/json.h"
 #include "model/store/array.h"
 
@@ -90,10 +91,10 @@ bool package_lock_read(package_lock *l, const char *folder, char why[PACKAGE_WHY
 }
 
 bool package_lock_write(const package_lock *l, const char *folder) {
-  char path[LOCK_PATH], part[LOCK_PATH + 8];
+  char path[LOCK_PATH];
+  cli_whole_file file;
   snprintf(path, sizeof path, "%s/vs.lock", folder);
-  snprintf(part, sizeof part, "%s.part", path);
-  FILE *to = fopen(part, "wb");
+  FILE *to = cli_whole_begin(&file, path);
   if (!to) return false;
   fputs("{\"schema\": 1, \"packages\": [", to);
   for (size_t i = 0; i < l->count; i++) {
@@ -109,10 +110,7 @@ bool package_lock_write(const package_lock *l, const char *folder) {
     fprintf(to, "\"direct\": %s}", p->direct ? "true" : "false");
   }
   fputs("\n]}\n", to);
-  bool ok = !ferror(to);
-  ok = fclose(to) == 0 && ok && rename(part, path) == 0;
-  if (!ok) remove(part);
-  return ok;
+  return cli_whole_end(&file, true);
 }
 
 /* ---- comparing with the folder ---- */

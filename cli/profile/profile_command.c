@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <string.h>
 
+#include "cli/batch/whole_file.h"
 #include "cli/json.h"
 #include "cli/profile/flame_graph.h"
 
@@ -67,15 +68,11 @@ static void print_json(const profile_tree *t) {
 /* Writes the file, which appears only when it is complete. */
 static vs_outcome write_flames(const profile_tree *t, const cli_session *c) {
   const char *path = c->options->targets[0].path, *title = c->options->sources[0].text;
-  char part[4096];
+  cli_whole_file file;
   if (!strcmp(path, "-")) return profile_write_flames(t, title, stdout) ? VS_OUTCOME_DONE : VS_OUTCOME_MACHINE;
-  int n = snprintf(part, sizeof part, "%s.part", path);
-  FILE *to = n < (int)sizeof part ? fopen(part, "wb") : NULL;
-  bool ok = to && profile_write_flames(t, title, to) && !ferror(to);
-  if (to) ok = fclose(to) == 0 && ok;
-  if (ok && rename(part, path) == 0) return VS_OUTCOME_DONE;
+  FILE *to = cli_whole_begin(&file, path);
+  if (cli_whole_end(&file, to && profile_write_flames(t, title, to))) return VS_OUTCOME_DONE;
   fprintf(stderr, "vs profile: %s: %s\n", path, strerror(errno));
-  if (to) remove(part);
   return VS_OUTCOME_USAGE;
 }
 

@@ -20,6 +20,7 @@
 #include "cli/batch/inputs_told.h"
 #include "cli/batch/part_files.h"
 #include "cli/batch/part_states.h"
+#include "cli/batch/whole_file.h"
 #include "cli/sweep/row_choice.h"
 #include "cli/sweep/sweep_manifest.h"
 #include "cli/sweep/sweep_plan.h"
@@ -364,17 +365,12 @@ static bool may_write(const sweep *w, const char *path) {
 
 /* Writes the table or the sheet, which replaces no input and gets its name only when it is complete. */
 static bool write_file(const sweep *w, const char *path, const size_t *rows, size_t count) {
-  char part[PATH_ROOM];
-  int n = snprintf(part, sizeof part, "%s.part", path);
-  FILE *to = n > 0 && n < (int)sizeof part ? fopen(part, "wb") : NULL;
+  cli_whole_file file;
+  FILE *to = cli_whole_begin(&file, path);
   if (to && path == w->plan.sheet_path) sweep_write_sheet(to, &w->plan.table, rows, count, path);
   else if (to) sweep_write_table(to, &w->plan.table, rows, count);
-  bool ok = to && !ferror(to);
-  if (to && fclose(to) != 0) ok = false;
-  ok = ok && rename(part, path) == 0;
-  if (!ok) fprintf(stderr, "vs sweep: cannot write %s: %s\n", path, strerror(errno));
-  if (!ok && to) remove(part);
-  return ok;
+  if (cli_whole_end(&file, true)) return true;
+  return fprintf(stderr, "vs sweep: cannot write %s: %s\n", path, strerror(errno)), false;
 }
 
 /* Writes the table and the sheet of the chosen rows. A sweep of a range into a folder writes none. */

@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "cli/batch/part_files.h"
+#include "cli/batch/whole_file.h"
 #include "cli/json.h"
 #include "cli/json_data.h"
 #include "model/store/array.h"
@@ -486,18 +487,13 @@ static bool write_all(sweep_manifest *m, FILE *to) {
 }
 
 bool sweep_manifest_join(sweep_manifest *m) {
-  char part[PATH_ROOM + 8];
+  cli_whole_file whole;
   if (m->failed) return false;
-  snprintf(part, sizeof part, "%s.part", m->path);
-  FILE *to = fopen(part, "wb");
-  if (!to) return cannot_write(m, part);
+  FILE *to = cli_whole_begin(&whole, m->path);
+  if (!to) return cannot_write(m, whole.part);
   int file = fcntl(fileno(to), F_DUPFD_CLOEXEC, 0);
-  bool ok = flock(file, LOCK_EX | LOCK_NB) == 0 && write_all(m, to);
-  if (ferror(to)) ok = false;
-  if (fclose(to) != 0) ok = false;
-  ok = ok && rename(part, m->path) == 0;
-  if (!ok) cannot_write(m, m->path), remove(part);
-  if (!ok) return close(file), false;
+  bool locked = flock(file, LOCK_EX | LOCK_NB) == 0;
+  if (!cli_whole_end(&whole, locked && write_all(m, to))) return cannot_write(m, m->path), close(file), false;
   close(m->file);
   m->file = file;
   return each_range(m, remove_range) || cannot_write(m, m->folder);
