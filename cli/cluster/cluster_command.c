@@ -84,8 +84,9 @@ static vs_outcome run_parallel(job_record *r, const volatile sig_atomic_t *ended
   job_record_path(r, "bundles.sh", script), job_record_path(r, "parallel.log", log);
   snprintf(jobs, sizeof jobs, "%ld", processors > each ? processors / each : 1);
   snprintf(range, sizeof range, "%zu", r->bundle_count);
-  const char *words[] = {"sh", "-c", "n=$1; shift; seq \"$n\" | exec \"$@\"", "sh", range, "parallel", "--will-cite",
-                         "--jobs", jobs, "--joblog", log, "--termseq", "TERM,5000,KILL", "sh", script, NULL};
+  /* exec: parallel replaces the shell, so that it gets the signal that ends the batch, and ends its bundles. */
+  const char *words[] = {"sh", "-c", "n=$1; shift; exec \"$@\" << END\n$(seq \"$n\")\nEND\n", "sh", range,
+                         "parallel", "--will-cite", "--jobs", jobs, "--joblog", log, "--termseq", "TERM,5000,KILL", "sh", script, NULL};
   if (!r->bundle_count) return VS_OUTCOME_DONE;
   const char *known[] = {"parallel", "--version", NULL};
   char *said = NULL;
@@ -151,6 +152,12 @@ static vs_outcome run_here(job_record *r, const cli_options *o, vs_outcome (*her
   return job_record_write(r) || outcome != VS_OUTCOME_DONE ? outcome : VS_OUTCOME_USAGE;
 }
 
+/* Prints a limit, with the unit that Slurm gives to a bare number. */
+static void print_limit(const char *limit, const char *unit) {
+  if (*limit) printf(", %s", limit);
+  if (*limit && !limit[strspn(limit, "0123456789")]) printf(" %s", unit);
+}
+
 static vs_outcome submit(job_record *r, const cli_options *o, const volatile sig_atomic_t *ended) {
   bool given = o->cluster.time && o->cluster.memory;
   char path[JOB_PATH_ROOM];
@@ -172,9 +179,9 @@ static vs_outcome submit(job_record *r, const cli_options *o, const volatile sig
   if (o->quiet) return VS_OUTCOME_DONE;
   printf("%s: %zu parts in %zu bundles submitted as job %s, and the join as job %s\n", r->folder, r->parts,
          r->bundle_count, *r->array ? r->array : "-", r->join);
-  printf("each bundle: %zu parts, %zu processor%s", r->bundle, r->cpus, r->cpus == 1 ? "" : "s");
-  if (*r->time) printf(", %s minutes", r->time);
-  if (*r->memory_limit) printf(", %s MB", r->memory_limit);
+  size_t cpus = r->cpus ? r->cpus : 1;
+  printf("each bundle: %zu parts, %zu processor%s", r->bundle, cpus, cpus == 1 ? "" : "s");
+  print_limit(r->time, "minutes"), print_limit(r->memory_limit, "MB");
   printf("\nvs jobs %s shows them\n", r->folder);
   return VS_OUTCOME_DONE;
 }
