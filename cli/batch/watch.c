@@ -85,15 +85,18 @@ static bool take_names(const cli_options *o, int list, watched_list *l) {
   return any && ok;
 }
 
-/* Waits until a file changes, and then until it stays as it is. A file that is missing is about to be written anew.
- * Returns its path, or NULL when the command is to end. */
-static const char *await_change(watched_list *l, struct timespec began, const volatile sig_atomic_t *ended) {
+/* Waits until a file changes, and then until it stays as it is. A file that was written between `began` and `done`, while
+ * the command ran, counts as changed: the run may have read the old text. A file that is missing is about to be written
+ * anew. Returns its path, or NULL when the command is to end. */
+static const char *await_change(watched_list *l, struct timespec began, struct timespec done,
+                                const volatile sig_atomic_t *ended) {
   struct stat is, next;
   for (; !*ended; pause_once())
     for (size_t i = 0; i < l->count && !*ended; i++) {
       watched *w = &l->at[i];
       bool there = stat(w->path, &is) == 0;
-      if (!there || (w->there && is_same(&is, &w->is) && !is_after(is.st_mtim, began))) continue;
+      bool during = is_after(is.st_mtim, began) && !is_after(is.st_mtim, done);
+      if (!there || (w->there && is_same(&is, &w->is) && !during)) continue;
       do pause_once();
       while (!*ended && (stat(w->path, &next) != 0 || (!is_same(&is, &next) && (is = next, true))));
       return *ended ? NULL : w->path;
@@ -107,16 +110,18 @@ int cli_watch_files(const cli_options *o, const volatile sig_atomic_t *ended, ch
   const char *changed = "";
   int code = VS_OUTCOME_DONE;
   while (changed && !*ended) {
-    struct timespec began;
+    struct timespec began, done;
     int list;
     clock_gettime(CLOCK_REALTIME, &began);
     code = run_once(ended, words, run, &list);
     forget(&files);
     bool any = take_names(o, list, &files);
+    clock_gettime(CLOCK_REALTIME, &done);
     if (list >= 0) close(list);
     if (!any || *ended) break;
-    if (!o->quiet) fprintf(stderr, "vs: watches %zu files; Ctrl-C ends it\n", files.count);
-    changed = await_change(&files, began, ended);
+    if (!o->quiet) fprintf(stderr, "vs: watches %zu file%s; Ctrl-C ends it\n", files.count,
+                            files.count == 1 ? "" : "s");
+    changed = await_change(&files, began, done, ended);
     if (changed && !o->quiet) fprintf(stderr, "vs: %s has changed\n", changed);
   }
   forget(&files);
