@@ -516,13 +516,11 @@ static result make_once(const batch *b, const picture *p) {
 
 /* Makes the picture. With --keep-going, repeats a run that was killed, or whose worker failed. */
 static result make(const batch *b, const picture *p) {
-  result r = make_once(b, p);
-  bool chance = r.fate == FAILED && (r.code == VS_OUTCOME_INTERRUPTED || r.code == VS_OUTCOME_WORKER);
-  for (size_t i = 0; chance && b->options->keep_going && i < b->options->retries && !*b->ended; i++) {
-    r = make_once(b, p);
-    chance = r.fate == FAILED && (r.code == VS_OUTCOME_INTERRUPTED || r.code == VS_OUTCOME_WORKER);
+  for (size_t left = b->options->keep_going ? b->options->retries : 0;; left--) {
+    result r = make_once(b, p);
+    bool chance = r.fate == FAILED && (r.code == VS_OUTCOME_INTERRUPTED || r.code == VS_OUTCOME_WORKER);
+    if (!chance || left == 0 || *b->ended) return r;
   }
-  return r;
 }
 
 /* ---- the exposure of a film ----
