@@ -17,7 +17,6 @@
 #include "cli/sweep/sweep_states.h"
 #include "model/store/array.h"
 
-static bool is_slurm(const job_record *r) { return !strncmp(r->on, "slurm", 5); }
 static bool is_parallel(const job_record *r) { return !strcmp(r->on, "parallel"); }
 
 /* ---- states ---- */
@@ -71,7 +70,7 @@ static bool measure(job_record *r, const volatile sig_atomic_t *ended, int *code
   if (!job_states(r, &states)) return *code = VS_OUTCOME_USAGE, false;
   r->seconds = states.seconds > 0 ? states.seconds : use.seconds;
   free(states.at);
-  if (!r->bundle) r->bundle = job_bundle_size(r->seconds, r->parts, is_slurm(r));
+  if (!r->bundle) r->bundle = job_bundle_size(r->seconds, r->parts, job_is_on_slurm(r));
   if (set_limits(r, &use)) return true;
   return *code = VS_OUTCOME_MACHINE, false;
 }
@@ -86,7 +85,8 @@ static vs_outcome run_parallel(job_record *r, const volatile sig_atomic_t *ended
   snprintf(range, sizeof range, "%zu", r->bundle_count);
   /* exec: parallel replaces the shell, so that it gets the signal that ends the batch, and ends its bundles. */
   const char *words[] = {"sh", "-c", "n=$1; shift; exec \"$@\" << END\n$(seq \"$n\")\nEND\n", "sh", range,
-                         "parallel", "--will-cite", "--jobs", jobs, "--joblog", log, "--termseq", "TERM,5000,KILL", "sh", script, NULL};
+                         "parallel", "--will-cite", "--jobs", jobs, "--joblog", log, "--termseq", "TERM,5000,KILL",
+                         "sh", script, NULL};
   if (!r->bundle_count) return VS_OUTCOME_DONE;
   const char *known[] = {"parallel", "--version", NULL};
   char *said = NULL;
@@ -136,7 +136,7 @@ vs_outcome job_join(job_record *r, const volatile sig_atomic_t *ended) {
     bool again = outcome != VS_OUTCOME_DONE && r->attempt < r->retries && bundle_rest(r, &rest) && rest > 0;
     if (!again) return r->joined = true, r->code = outcome, job_record_write(r) ? outcome : VS_OUTCOME_USAGE;
     r->attempt++;
-    if (is_slurm(r)) return job_submit_rest(r, ended) ? outcome : VS_OUTCOME_WORKER;
+    if (job_is_on_slurm(r)) return job_submit_rest(r, ended) ? outcome : VS_OUTCOME_WORKER;
     if (!job_record_write(r) || run_parallel(r, ended) != VS_OUTCOME_DONE) return VS_OUTCOME_INTERRUPTED;
   }
 }
@@ -200,7 +200,7 @@ static bool is_submitted(const char *folder, const volatile sig_atomic_t *ended)
   job_record before;
   slurm_state state = {0};
   bool found, busy = !job_record_read(&before, folder, &found);
-  if (!busy && found && is_slurm(&before) && !before.joined) {
+  if (!busy && found && job_is_on_slurm(&before) && !before.joined) {
     busy = !slurm_ask(&before, ended, &state);
     if (state.running + state.waiting > 0)
       busy = fprintf(stderr,
@@ -224,7 +224,8 @@ vs_outcome cli_cluster_command(const cli_options *o, const volatile sig_atomic_t
   if (lock >= 0 && !is_submitted(folder, ended) && job_states(&r, &states)) {
     r.parts = states.count;
     free(states.at);
-    outcome = is_slurm(&r) ? submit(&r, o, ended) : is_parallel(&r) ? run_bundles(&r, ended) : run_here(&r, o, here);
+    if (job_is_on_slurm(&r)) outcome = submit(&r, o, ended);
+    else outcome = is_parallel(&r) ? run_bundles(&r, ended) : run_here(&r, o, here);
   }
   if (lock >= 0) close(lock);
   job_record_free(&r);

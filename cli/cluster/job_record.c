@@ -30,25 +30,33 @@ static const char *keep(sweep_memory *m, const char *text) {
   return sweep_keep_text(m, text ? text : "", text ? strlen(text) : 0);
 }
 
-bool job_record_make(job_record *r, const cli_options *o, const char *folder) {
-  char program[JOB_PATH_ROOM], host[256] = "", *here = getcwd(NULL, 0);
-  ssize_t length = readlink("/proc/self/exe", program, sizeof program - 1);
-  *r = (job_record){.process = getpid(), .cpus = o->cluster.cpus, .bundle = o->cluster.bundle, .retries = o->retries};
-  snprintf(r->folder, sizeof r->folder, "%s", folder);
+bool job_record_own(job_record *r) {
+  char host[256] = "";
   gethostname(host, sizeof host - 1);
+  r->process = getpid();
+  return (r->host = keep(&r->memory, host)) != NULL;
+}
+
+bool job_record_make(job_record *r, const cli_options *o, const char *folder) {
+  char program[JOB_PATH_ROOM], *here = getcwd(NULL, 0);
+  ssize_t length = readlink("/proc/self/exe", program, sizeof program - 1);
+  *r = (job_record){.cpus = o->cluster.cpus, .bundle = o->cluster.bundle, .retries = o->retries};
+  snprintf(r->folder, sizeof r->folder, "%s", folder);
   if (length <= 0 || !here) return free(here), fputs("vs: the path of the vs program cannot be found\n", stderr) < 0;
   program[length] = 0;
   sweep_memory *m = &r->memory;
   r->on = keep(m, o->cluster.on), r->directory = keep(m, here), r->program = keep(m, program);
-  r->command = o->command == CLI_COMMAND_sweep ? "sweep" : "render", r->host = keep(m, host);
+  r->command = o->command == CLI_COMMAND_sweep ? "sweep" : "render";
   r->time = keep(m, o->cluster.time), r->memory_limit = keep(m, o->cluster.memory);
   r->first = r->array = r->join = "", r->results = keep(m, folder);
   r->whole = copy_words(m, o->whole, r->whole_count = o->whole_count);
   r->part = copy_words(m, o->part, r->part_count = o->part_count);
   free(here);
-  return r->results && r->on && r->directory && r->program && r->host && r->time && r->memory_limit && r->whole &&
-         r->part;
+  return r->results && r->on && r->directory && r->program && r->time && r->memory_limit && r->whole && r->part &&
+         job_record_own(r);
 }
+
+bool job_is_on_slurm(const job_record *r) { return !strncmp(r->on, "slurm", 5); }
 
 void job_record_free(job_record *r) { sweep_memory_free(&r->memory); }
 
@@ -147,7 +155,8 @@ static bool take_record(job_record *r, const cli_data_reader *d, cli_data t) {
   r->attempt = size_at(d, t, "attempt"), r->retries = size_at(d, t, "retries");
   r->seconds = cli_data_real(d, t, "seconds", 0);
   r->joined = cli_data_true(d, t, "joined"), r->code = (int)cli_data_number(d, t, "code", 0);
-  return r->whole && r->part && read_bundles(r, d, cli_data_at(d, t, "bundles")) && *r->on && *r->command;
+  return r->whole && r->part && read_bundles(r, d, cli_data_at(d, t, "bundles")) && *r->on && *r->command &&
+         r->process > 0; /* kill reads 0 and numbers below it as many processes */
 }
 
 bool job_record_read(job_record *r, const char *folder, bool *found) {

@@ -34,6 +34,8 @@ typedef struct {
 
 /* Makes the record of a command. Returns false after a message. */
 bool job_record_make(job_record *r, const cli_options *o, const char *folder);
+/* Makes this process the one that vs jobs cancel ends. Returns false after a message. */
+bool job_record_own(job_record *r);
 /* Reads the record in the folder. *found is false if there is none. Returns false after a message. */
 bool job_record_read(job_record *r, const char *folder, bool *found);
 /* Writes the record, whole or not at all. Returns false after a message. */
@@ -42,6 +44,9 @@ void job_record_free(job_record *r);
 /* Moves to the folder in which the command was given, from which the paths of its words are seen. Returns false after a
  * message. */
 bool job_record_enter(job_record *r);
+
+/* Returns true if the parts are jobs of Slurm. */
+bool job_is_on_slurm(const job_record *r);
 
 /* The file for names of nodes on which a worker or a disk has failed. */
 #define JOB_NODES "failed-nodes"

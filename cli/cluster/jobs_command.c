@@ -35,8 +35,6 @@ typedef struct {
   bool first;                /* whether no folder was shown yet */
 } run;
 
-static bool on_slurm(const job_record *r) { return !strncmp(r->on, "slurm", 5); }
-
 /* Reads the state of the batch in the folder. The present folder is then that of its command. Returns false after a
  * message. */
 static bool learn(const run *w, const char *folder, batch *b) {
@@ -48,8 +46,8 @@ static bool learn(const run *w, const char *folder, batch *b) {
            false;
   job_record *r = &b->record;
   if (!job_record_enter(r) || !job_states(r, &b->states)) return false;
-  if (on_slurm(r) && !r->joined && !slurm_ask(r, w->ended, &b->jobs)) return false;
-  if (!on_slurm(r) && job_record_is_locked(r)) b->jobs.running = 1;
+  if (job_is_on_slurm(r) && !r->joined && !slurm_ask(r, w->ended, &b->jobs)) return false;
+  if (!job_is_on_slurm(r) && job_record_is_locked(r)) b->jobs.running = 1;
   b->live = b->jobs.running + b->jobs.waiting > 0;
   b->done = cli_part_states_count(&b->states, PART_DONE);
   b->failed = cli_part_states_count(&b->states, PART_FAILED);
@@ -83,8 +81,8 @@ static void show(const char *folder, const batch *b) {
   const job_record *r = &b->record;
   printf("%s: vs %s --on %s: %zu of %zu parts done", folder, r->command, r->on, b->done, b->states.count);
   if (b->failed) printf(", %zu failed", b->failed);
-  if (b->live && on_slurm(r)) printf(", %zu jobs run, %zu wait", b->jobs.running, b->jobs.waiting);
-  if (b->live && !on_slurm(r)) printf(", runs on %s", r->host);
+  if (b->live && job_is_on_slurm(r)) printf(", %zu jobs run, %zu wait", b->jobs.running, b->jobs.waiting);
+  if (b->live && !job_is_on_slurm(r)) printf(", runs on %s", r->host);
   double left = seconds_left(b);
   if (b->live && left >= 0) show_time(left);
   if (!b->live && b->left) printf(", %zu left: vs jobs retry %s", b->left, folder);
@@ -124,7 +122,7 @@ static vs_outcome cancel(run *w, const char *folder, batch *b) {
   char host[256] = "";
   gethostname(host, sizeof host - 1);
   if (!b->live) return printf("%s: nothing runs\n", folder), VS_OUTCOME_DONE;
-  if (on_slurm(r)) {
+  if (job_is_on_slurm(r)) {
     if (!slurm_cancel(r, w->ended)) return VS_OUTCOME_WORKER;
   } else if (strcmp(host, r->host) != 0)
     return fprintf(stderr, "vs jobs: %s: process %ld runs on %s; cancel it there\n", folder, r->process, r->host),
@@ -142,7 +140,7 @@ static vs_outcome retry(run *w, const char *folder, batch *b) {
                       VS_OUTCOME_USAGE;
   if (!b->left && r->joined) return printf("%s: no part is left to make\n", folder), VS_OUTCOME_DONE;
   r->attempt = 0;
-  if (on_slurm(r)) {
+  if (job_is_on_slurm(r)) {
     int lock = job_record_lock(r);
     char path[JOB_PATH_ROOM];
     job_record_path(r, JOB_NODES, path);
@@ -162,7 +160,7 @@ static vs_outcome join(run *w, const char *folder, batch *b) {
   if (b->live) return fprintf(stderr, "vs jobs: %s: its parts run; vs jobs cancel %s ends them\n", folder, folder),
                       VS_OUTCOME_USAGE;
   int lock = job_record_lock(r);
-  vs_outcome outcome = lock >= 0 ? job_join(r, w->ended) : VS_OUTCOME_USAGE;
+  vs_outcome outcome = lock >= 0 && job_record_own(r) ? job_join(r, w->ended) : VS_OUTCOME_USAGE;
   if (lock >= 0) close(lock);
   return outcome;
 }
