@@ -85,8 +85,8 @@ static vs_outcome run_parallel(job_record *r, const volatile sig_atomic_t *ended
   snprintf(range, sizeof range, "%zu", r->bundle_count);
   /* exec: parallel replaces the shell, so that it gets the signal that ends the batch, and ends its bundles. */
   const char *words[] = {"sh", "-c", "n=$1; shift; exec \"$@\" << END\n$(seq \"$n\")\nEND\n", "sh", range,
-                         "parallel", "--will-cite", "--jobs", jobs, "--joblog", log, "--termseq", "TERM,5000,KILL",
-                         "sh", script, NULL};
+                         "parallel", "--will-cite", "--quote", "--jobs", jobs, "--joblog", log, "--termseq",
+                         "TERM,5000,KILL", "sh", script, NULL};
   if (!r->bundle_count) return VS_OUTCOME_DONE;
   const char *known[] = {"parallel", "--version", NULL};
   char *said = NULL;
