@@ -92,7 +92,7 @@ static void put_values(FILE *to, const sweep_table *t, const sweep_part *p) {
     double x = value ? strtod(value, &end) : NAN;
     if (i) fputc(',', list);
     if (!value) fputs("null", list);
-    else if (*value && !*end) cli_json_number(list, x);
+    else if (*value && !*end && isfinite(x)) cli_json_number(list, x);
     else cli_json_text(list, value);
   }
   for (size_t i = 0; i < t->number_count; i++) {
