@@ -85,9 +85,9 @@ static bool take_names(const cli_options *o, int list, watched_list *l) {
   return any && ok;
 }
 
-/* Waits until a file changes, and then until it stays as it is. A file that was written between `began` and `done`, while
- * the command ran, counts as changed: the run may have read the old text. A file that is missing is about to be written
- * anew. Returns its path, or NULL when the command is to end. */
+/* Waits until a file changes, and then until it stays as it is. A file that was written between `began` and `done`,
+ * while the command ran, counts as changed: the run may have read the old text. A file that is missing is about to be
+ * written anew. Returns its path, or NULL when the command is to end. */
 static const char *await_change(watched_list *l, struct timespec began, struct timespec done,
                                 const volatile sig_atomic_t *ended) {
   struct stat is, next;
