@@ -91,11 +91,12 @@ static vs_outcome run_parallel(job_record *r, const volatile sig_atomic_t *ended
   const char *known[] = {"parallel", "--version", NULL};
   char *said = NULL;
   int code = job_run(known, ended, &said, NULL);
-  free(said);
+  free(said), said = NULL;
   if (code == JOB_NO_PROGRAM)
     return fputs("vs: --on parallel needs GNU parallel: install the package parallel, or use --on local\n", stderr),
            VS_OUTCOME_WORKER;
-  job_run(words, ended, NULL, NULL); /* its exit code is the number of bundles that failed: the join finds the parts */
+  job_run(words, ended, r->quiet ? &said : NULL, NULL); /* its exit code is the number of bundles that failed */
+  free(said);
   return *ended ? VS_OUTCOME_INTERRUPTED : VS_OUTCOME_DONE;
 }
 
@@ -115,8 +116,9 @@ bool job_submit_rest(job_record *r, const volatile sig_atomic_t *ended) {
   size_t rest;
   r->first = "", r->joined = false;
   if (!bundle_rest(r, &rest) || !slurm_submit(r, ended) || !job_record_write(r)) return false;
-  printf("%s: %zu parts in %zu bundles submitted again as job %s\n", r->folder, rest, r->bundle_count,
-         *r->array ? r->array : r->join);
+  if (!r->quiet)
+    printf("%s: %zu parts in %zu bundles submitted again as job %s\n", r->folder, rest, r->bundle_count,
+           *r->array ? r->array : r->join);
   return true;
 }
 

@@ -52,6 +52,7 @@ const char **job_words_of(const job_record *r, const char *range) {
   const char **w;
   if (!VS_FRESH(w, r->part_count + 8)) return fputs("vs: out of memory\n", stderr), NULL;
   w[n++] = r->program, w[n++] = r->command, w[n++] = "--only", w[n++] = range, w[n++] = "--keep-going";
+  if (r->quiet) w[n++] = "-q";
   for (size_t i = 0; i < r->part_count; i++) w[n++] = r->part[i];
   w[n] = NULL;
   return w;
@@ -63,6 +64,7 @@ const char **job_words_of_all(const job_record *r, const char *option, const cha
   if (!VS_FRESH(w, r->whole_count + 8)) return fputs("vs: out of memory\n", stderr), NULL;
   w[n++] = r->program, w[n++] = r->command, w[n++] = option;
   if (value) w[n++] = value, w[n++] = "--keep-failed";
+  if (r->quiet) w[n++] = "-q";
   for (size_t i = 0; i < r->whole_count; i++) w[n++] = r->whole[i];
   w[n] = NULL;
   return w;

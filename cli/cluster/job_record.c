@@ -40,7 +40,7 @@ bool job_record_own(job_record *r) {
 bool job_record_make(job_record *r, const cli_options *o, const char *folder) {
   char program[JOB_PATH_ROOM], *here = getcwd(NULL, 0);
   ssize_t length = readlink("/proc/self/exe", program, sizeof program - 1);
-  *r = (job_record){.cpus = o->cluster.cpus, .bundle = o->cluster.bundle, .retries = o->retries};
+  *r = (job_record){.cpus = o->cluster.cpus, .bundle = o->cluster.bundle, .retries = o->retries, .quiet = o->quiet};
   snprintf(r->folder, sizeof r->folder, "%s", folder);
   if (length <= 0 || !here) return free(here), fputs("vs: the path of the vs program cannot be found\n", stderr) < 0;
   program[length] = 0;

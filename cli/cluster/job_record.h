@@ -30,6 +30,7 @@ typedef struct {
   size_t parts;               /* number of all parts */
   size_t attempt, retries;    /* attempt: number of the submission from 0; retries: greatest number of repeats */
   bool joined; int code;      /* joined: whether the join has ended, with this exit code */
+  bool quiet;                 /* whether this process prints errors alone; not in the file */
 } job_record;
 
 /* Makes the record of a command. Returns false after a message. */

@@ -45,6 +45,7 @@ static bool learn(const run *w, const char *folder, batch *b) {
     return fprintf(stderr, "vs jobs: %s: no parts were run here with --on (there is no jobs/jobs.json)\n", folder),
            false;
   job_record *r = &b->record;
+  r->quiet = w->options->quiet;
   if (!job_record_enter(r) || !job_states(r, &b->states)) return false;
   if (job_is_on_slurm(r) && !r->joined && !slurm_ask(r, w->ended, &b->jobs)) return false;
   if (!job_is_on_slurm(r) && job_record_is_locked(r)) b->jobs.running = 1;
