@@ -22,6 +22,7 @@
 #include "cli/mcp/mcp_server.h"
 #include "cli/packages/add_command.h"
 #include "cli/packages/new_command.h"
+#include "cli/packages/search_command.h"
 #include "cli/profile/profile_command.h"
 #include "cli/limits.h"
 #include "cli/nearby.h"
@@ -655,8 +656,11 @@ static int run_command(int argc, char **argv, bool *told) {
     cli_options_free(&options);
     return (int)outcome;
   }
-  if (options.command == CLI_COMMAND_add || options.command == CLI_COMMAND_new) {
-    vs_outcome outcome = options.command == CLI_COMMAND_add ? cli_add_command(&options) : cli_new_command(&options);
+  if (options.command == CLI_COMMAND_add || options.command == CLI_COMMAND_new ||
+      options.command == CLI_COMMAND_search) {
+    vs_outcome outcome = options.command == CLI_COMMAND_add   ? cli_add_command(&options)
+                         : options.command == CLI_COMMAND_new ? cli_new_command(&options)
+                                                              : cli_search_command(&options);
     cli_options_free(&options);
     return (int)outcome;
   }

@@ -88,6 +88,7 @@ typedef struct {
   int results;                         /* vs test, vs sweep: in the process of a run, the pipe for its results */
   const char *dependencies;            /* the file of -d, or NULL */
   const char *manifest, *sheet;        /* vs render: file names given by --manifest and --sheet, or NULL */
+  const char *index;                   /* vs search, vs add: the index of packages; NULL if not given */
   const char *sample, *where, *sort, *only; /* vs sweep: its options, NULL if not given */
   uint64_t seed;                       /* --seed; 0 if not given */
   long film;                           /* vs render: frames per second of the film; 0: no film */

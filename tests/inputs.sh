@@ -100,6 +100,7 @@ for command in $(sed -n 's/^COMMAND(\([a-z]*\),.*/\1/p' "$root/cli/commands.def"
     refused profile "$vs" profile calls.vs -o calls.svg; inputs=${inputs% calls.svg} ;;
   jupyter) ;; # writes the description of a kernel only
   jobs) ;; # it runs vs sweep and vs render, which refuse
+  search) ;; # it writes no file
   new|add) ;; # new replaces nothing, add only its own packages: the suite desk tests it
   mcp) ;; # it exports as vs FILE does: the suite mcp tests that no program is replaced
   format) ;; # its output is its input: the suite format tests that nothing is lost

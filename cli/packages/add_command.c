@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "cli/packages/fetch_package.h"
+#include "cli/packages/package_index.h"
 #include "model/store/array.h"
 
 static const char STAGE[] = ".vs.new", HOME[] = ".vs", MANIFEST[] = "vs-package.json";
@@ -171,6 +172,35 @@ static bool want_missing(adding *a) {
   return true;
 }
 
+/* ---- names of an index ---- */
+
+/* Returns true for a word that is no address of git and no folder that is there. */
+static bool is_for_index(const char *source) {
+  struct stat is;
+  return package_is_name(source) && !is_git_address(source) && (stat(source, &is) != 0 || !S_ISDIR(is.st_mode));
+}
+
+/* Wants the packages of the command line. The index is read when the first name needs it. */
+static vs_outcome want_given(adding *a, const cli_options *o) {
+  package_index x = { 0 };
+  bool read = false, ok = true;
+  const char *index = package_index_source(o->index);
+  fetch_outcome got = FETCHED;
+  for (size_t i = 0; ok && i < o->source_count; i++) {
+    const char *source = o->sources[i].text, *name = "";
+    if (index && is_for_index(source)) {
+      if (!read) got = package_index_read(&x, index, a->why), read = true;
+      const package_entry *e = got == FETCHED ? package_index_find(&x, source) : NULL;
+      if (got == FETCHED && !e) fail(a, source, "there is no such folder, and the index has no such package");
+      ok = e != NULL;
+      name = source, source = e ? e->address : source;
+    }
+    ok = ok && add_want(a, (want){ (char *)(size_t)source, (char *)(size_t)name, "", "", "", false });
+  }
+  if (read) package_index_free(&x);
+  return ok ? VS_OUTCOME_DONE : got == NO_GIT ? VS_OUTCOME_WORKER : VS_OUTCOME_USAGE;
+}
+
 static bool is_folder(adding *a, const char *path) {
   return mkdir(path, 0777) == 0 || errno == EEXIST || fail(a, path, strerror(errno));
 }
@@ -178,12 +208,12 @@ static bool is_folder(adding *a, const char *path) {
 vs_outcome cli_add_command(const cli_options *o) {
   adding a = { 0 };
   bool ok = package_lock_read(&a.lock, ".", a.why);
-  for (size_t i = 0; ok && i < o->source_count; i++)
-    ok = add_want(&a, (want){ (char *)(size_t)o->sources[i].text, "", "", "", "", false });
+  vs_outcome outcome = ok ? want_given(&a, o) : VS_OUTCOME_USAGE;
+  ok = outcome == VS_OUTCOME_DONE;
   if (ok && !o->source_count) ok = want_missing(&a);
   ok = ok && (package_remove(STAGE) || fail(&a, STAGE, strerror(errno)));
   ok = ok && is_folder(&a, HOME) && is_folder(&a, STAGE);
-  vs_outcome outcome = ok ? VS_OUTCOME_DONE : VS_OUTCOME_USAGE;
+  if (!ok && outcome == VS_OUTCOME_DONE) outcome = VS_OUTCOME_USAGE;
   for (size_t i = 0; outcome == VS_OUTCOME_DONE && i < a.count; i++) outcome = fetch(&a, i);
   if (outcome == VS_OUTCOME_DONE && a.count && !settle(&a)) outcome = VS_OUTCOME_USAGE;
   package_remove(STAGE);

@@ -87,7 +87,8 @@ fetch_outcome package_fetch(const char *source, const char *to, char commit[80],
   struct stat is;
   if (is_git_address(source)) return fetch_by_git(source, to, commit, why);
   if (stat(source, &is) != 0 || !S_ISDIR(is.st_mode)) {
-    snprintf(why, PACKAGE_WHY, "%.150s: there is no such folder; an address of git has :// or ends in .git", source);
+    snprintf(why, PACKAGE_WHY, "%.150s: there is no such folder; an address of git has :// or ends in .git; "
+             "for a name of an index give --index", source);
     return NOT_FETCHED;
   }
   *commit = 0;

@@ -79,12 +79,14 @@ static bool reports_fit(const cli_options *o, unsigned takes) {
   return true;
 }
 
-/* Checks the options of vs sunstudy, vs translate and vs fit. */
+/* Checks the options of vs sunstudy, vs translate, vs search and vs fit. */
 static bool own_options_fit(const cli_options *o, unsigned takes) {
   if ((o->place || o->date || o->from || o->step) && !(takes & CLI_TAKES_SUN))
     return refuse("vs: --place, --date, --from and --step are for vs sunstudy\n");
   if (o->language && !(takes & (CLI_TAKES_LANGUAGE | CLI_TAKES_SUN)))
     return refuse("vs: --to is for vs translate\n");
+  if (o->index && o->command != CLI_COMMAND_search && o->command != CLI_COMMAND_add)
+    return refuse("vs: --index is for vs search and vs add\n");
   const char *of_fit = o->placed       ? "placed"
                        : o->near       ? "near"
                        : o->any_pose   ? "any-pose"

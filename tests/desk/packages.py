@@ -1,4 +1,4 @@
-# Tests `vs new` and `vs add`: packages.py VS FOLDER ONLY. Prints `ok NAME`, or `not ok NAME` and its reasons.
+# Tests `vs new`, `vs add` and `vs search`: packages.py VS FOLDER ONLY. Prints `ok NAME`, or `not ok NAME` and its reasons.
 import json, os, pathlib, shutil, subprocess, sys
 
 vs, work, only = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2]).resolve(), sys.argv[3]
@@ -186,7 +186,73 @@ def by_git():
     if content(home) != before: reasons.append("a refused package changed the folder")
     return reasons
 
-for test in (new, folders, refused, by_git):
+# An index as a file, in a folder and by git: it is searched, its packages are added by name, and faults are refused.
+def index():
+    reasons, folder = [], place("index")
+    shelf, home = folder / "shelf", folder / "home"
+    home.mkdir()
+    library(shelf / "towers", "towers", "spire", "(define (spire n) (brick (* 3 n)))", {"bricks": "../bricks"}, "(bricks brick)")
+    library(shelf / "bricks", "bricks", "brick", "\n; a brick of height h\n(define (brick h) (make-box origin 1 1 h))")
+    rows = [{"name": "towers", "address": "towers", "description": "Spires \x1b[31mand\x9b roofs", "version": "2.1"}, {"name": "bricks", "address": "bricks"}]
+    def write(rows, **more): (shelf / "vs-index.json").write_text(json.dumps({"schema": 1, "packages": rows, **more}))
+    write(rows)
+    bricks, towers = "bricks (../shelf/bricks)", "towers 2.1: Spires  [31mand  roofs (../shelf/towers)"
+    for words, wanted in (((), [bricks, towers]), (("SPIRES",), [towers]), (("spire", "roof"), [towers]), (("brick",), [bricks]), (("spire", "brick"), ["no package of ../shelf has these words"])):
+        for source in ("../shelf", "../shelf/vs-index.json"):
+            done = run(home, "search", *words, "--index", source)
+            if done.returncode or done.stdout.replace(source, "../shelf").split("\n")[:-1] != wanted: reasons.append(f"search {words}: {done}")
+    found = run(home, "search", "tower", "--json", VS_PACKAGE_INDEX="../shelf")
+    if json.loads(found.stdout) != {"schema": 1, "packages": [{**rows[0], "address": "../shelf/towers"}]}: reasons.append(f"as JSON: {found}")
+    if json.loads(run(home, "search", "none", "--json", VS_PACKAGE_INDEX="../shelf").stdout)["packages"]: reasons.append("JSON of nothing")
+    (home / "model.vs").write_text(PROGRAM)
+    expect(reasons, "add by name", run(home, "add", "towers", VS_PACKAGE_INDEX="../shelf"), 0, "towers from ../shelf/towers", "bricks from")
+    expect(reasons, "the import", run(home, "model.vs"), 0, "1 x 1 x 6 m")
+    expect(reasons, "its pages", run(home, "doc", ".vs/bricks/brick.sld", "-o", "site"), 0)
+    if "a brick of height h" not in (home / "site/functions.html").read_text(): reasons.append("the pages lack the procedure's comment")
+    (home / "bricks").mkdir()
+    expect(reasons, "a folder comes first", run(home, "add", "bricks", "--index", "../shelf"), 0, "bricks from bricks")
+    shutil.rmtree(home); home.mkdir()
+    expect(reasons, "a name that the index lacks", run(home, "add", "domes", "--index", "../shelf"), 2, "domes", "no such package")
+    expect(reasons, "a name without an index", run(home, "add", "towers"), 2, "--index")
+    expect(reasons, "no index", run(home, "search", "towers"), 2, "VS_PACKAGE_INDEX")
+    library(shelf / "wrong", "other", "x", "(define x 1)", {})
+    faults = {"no name": [{"address": "x"}], "a bad name": [{"name": "../x", "address": "x"}], "no address": [{"name": "x"}], "an empty address": [{"name": "x", "address": ""}], "twice": [rows[0], rows[1], rows[0]], "no object": [5], "null": [None]}
+    for what, bad in faults.items():
+        write(bad)
+        for words in (("search", "x"), ("add", "towers")): expect(reasons, f"{what}: {words}", run(home, *words, "--index", "../shelf"), 2, "../shelf")
+    write(rows, schema=2)
+    expect(reasons, "another schema", run(home, "search", "--index", "../shelf"), 2, "no index")
+    for text in (b"", b"{", b"[]", b"\xff\xfe{}", b"[" * 100000, b'{"schema": 1}', b'{"schema": 1, "packages": {}}', b'{"schema": 1, "packages": 7}'):
+        (shelf / "vs-index.json").write_bytes(text)
+        done = run(home, "search", "--index", "../shelf")
+        if done.returncode not in (0, 2) or (done.returncode and len(done.stderr.strip().split("\n")) != 1) or (not done.returncode and "packages" not in text.decode()): reasons.append(f"{text[:40]}: {done}")
+    for source in ("none", "../shelf/none.json", "/dev/null", "..", "x" * 5000): expect(reasons, source[:20], run(home, "search", "--index", source), 2)
+    write([{"name": "other", "address": "towers"}, {"name": "domes", "address": "none"}])
+    expect(reasons, "another package at the address", run(home, "add", "other", "--index", "../shelf"), 2, "another name")
+    expect(reasons, "no package at the address", run(home, "add", "domes", "--index", "../shelf"), 2, "no such folder")
+    for words in (("model.vs", "--index", "x"), ("new", "x", "--index", "x"), ("search", "--index"), ("search", "--index", ""), ("search", "x", "-o", "y")): expect(reasons, words, run(home, *words), 2)
+    if any(home.iterdir()): reasons.append(f"refused words left {list(home.iterdir())}")
+    if not shutil.which("git"): return reasons
+    git_index, kept = folder / "index.git", {"TMPDIR": str(folder / "temporary")}
+    (folder / "temporary").mkdir()
+    for path in (folder / "posts.git", git_index): path.mkdir()
+    library(folder / "posts.git", "posts", "post", "(define (post h) (make-cylinder origin 1 h))")
+    (git_index / "vs-index.json").write_text(json.dumps({"schema": 1, "packages": [{"name": "posts", "address": f"file://{folder}/posts.git#one", "description": "Round posts"}]}))
+    for path in (folder / "posts.git", git_index):
+        git(path, "init", "-q", "."); git(path, "add", "."); git(path, "commit", "-qm", "one"); git(path, "tag", "one")
+    expect(reasons, "search by git", run(home, "search", "ROUND", "--index", f"file://{git_index}", **kept), 0, f"posts: Round posts (file://{folder}/posts.git#one)")
+    expect(reasons, "add by git", run(home, "add", "posts", VS_PACKAGE_INDEX=f"{git_index}#one", **kept), 0, "posts")
+    lock = json.loads((home / "vs.lock").read_text())["packages"][0]
+    if lock["source"] != f"file://{folder}/posts.git#one" or lock["commit"] != git(folder / "posts.git", "rev-parse", "HEAD"): reasons.append(f"the lock: {lock}")
+    expect(reasons, "no git", run(home, "search", "--index", f"file://{git_index}", PATH="/none", **kept), 3, "git is missing")
+    if run(home, "search", "--index", f"file://{folder}/none.git", **kept).returncode != 3: reasons.append("no repository")
+    (git_index / "vs-index.json").write_text(json.dumps({"schema": 1, "packages": [{"name": "etc", "address": "/etc"}]}))
+    git(git_index, "commit", "-qam", "two")
+    expect(reasons, "a folder in an index by git", run(home, "search", "--index", f"file://{git_index}", **kept), 2, "only packages by git")
+    if any((folder / "temporary").iterdir()): reasons.append("a fetched index remains")
+    return reasons
+
+for test in (new, folders, refused, by_git, index):
     name = "desk/packages:" + test.__name__
     if only and only not in name: continue
     try: reasons = test()

@@ -1,0 +1,10 @@
+/* Declares `vs search WORD`. */
+#ifndef VS_CLI_PACKAGES_SEARCH_COMMAND_H
+#define VS_CLI_PACKAGES_SEARCH_COMMAND_H
+
+#include "cli/options.h"
+
+/* Prints the packages of the index that have all words in their names or descriptions. */
+vs_outcome cli_search_command(const cli_options *o);
+
+#endif
