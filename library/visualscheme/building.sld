@@ -4,7 +4,8 @@
           wall wall? wall-layers wall-path wall-thickness wall-height wall-base wall-name wall-openings join-walls opening window door
           slab column beam stair ramp railing
           rooms room? room-name room-area room-perimeter room-height room-volume room-region room-solid room-doors room-graph gross-area
-          label-rooms)
-  (import (visualscheme))
+          label-rooms
+          clashes clash? clash-kind clash-parts clash-names clash-place clash-volume clash-area clash-gap)
+  (import (visualscheme) (building core))
   (include "building/roofs.scm" "building/paths.scm" "building/joints.scm" "building/walls.scm" "building/openings.scm"
-           "building/storeys.scm" "building/rooms.scm"))
+           "building/storeys.scm" "building/rooms.scm" "building/clashes.scm"))
