@@ -5,7 +5,8 @@
           slab column beam stair ramp railing
           rooms room? room-name room-area room-perimeter room-height room-volume room-region room-solid room-doors room-graph gross-area
           label-rooms
-          clashes clash? clash-kind clash-parts clash-names clash-place clash-volume clash-area clash-gap)
+          clashes clash? clash-kind clash-parts clash-names clash-place clash-volume clash-area clash-gap
+          check-print thinnest-wall print-fault? print-fault-kind print-fault-place print-fault-value print-fault-area)
   (import (visualscheme) (building core))
   (include "building/roofs.scm" "building/paths.scm" "building/joints.scm" "building/walls.scm" "building/openings.scm"
-           "building/storeys.scm" "building/rooms.scm" "building/clashes.scm"))
+           "building/storeys.scm" "building/rooms.scm" "building/clashes.scm" "building/printing.scm"))
