@@ -2,7 +2,8 @@
 # Checks written meshes for self-intersections (tests/tools/crossings.c), in .off and in .stl with its 32-bit
 # numbers: the kernel's workloads (bench/kernel). LONG=1: all but the largest of them. It also runs random trees of
 # boxes through the language (tests/oracle/fuzz.c): (volume o) and the volume of the .off file, which must be closed,
-# equal the count of cells. Joined walls of random plans have no gaps and overlaps (tests/oracle/wall_graphs.vs).
+# equal the count of cells. Joined walls of random plans have no gaps and overlaps (tests/oracle/wall_graphs.vs). LONG=1:
+# straight skeletons are CGAL's (tests/oracle/skeletons_cgal.cc).
 . tests/report.sh
 case $ONLY in ""|solids*) ;; *) exit ;; esac
 here=bench/kernel
@@ -55,6 +56,16 @@ esac
 case solids/walls in *"$ONLY"*) # random plans of joined walls; LONG=1: 1,000
   limited 3000 "$vs" --quiet tests/oracle/wall_graphs.vs -D cases="$([ -z "${LONG:-}" ] && echo 12 || echo 1000)" > "$work/why" 2>&1 || echo "ended with $?" >> "$work/why"
   if [ ! -s "$work/why" ]; then echo "ok solids/walls"; else echo "not ok solids/walls"; head -n 24 "$work/why" | sed 's/^/    /'; fi ;;
+esac
+case solids/skeletons in *"$ONLY"*) # LONG=1: straight skeletons of 1,000 random outlines with holes, beside CGAL's
+  if [ -z "${LONG:-}" ]; then :
+  elif ! [ -f /usr/include/CGAL/create_straight_skeleton_2.h ] || ! command -v g++ > /dev/null; then echo "skip solids/skeletons: no CGAL (packages g++ libcgal-dev)"
+  else
+    limited 600 g++ -O1 tests/oracle/skeletons_cgal.cc -o "$work/judge" -lgmp -lmpfr > "$work/why" 2>&1
+    limited 300 "$vs" --quiet tests/oracle/skeletons.vs -D cases=1000 > "$work/outlines" 2>> "$work/why" || echo "ended with $?" >> "$work/why"
+    limited 300 "$work/judge" < "$work/outlines" >> "$work/why" 2>&1
+    if grep -q '^1000 outlines, .* 0 differ$' "$work/why"; then echo "ok solids/skeletons"; else echo "not ok solids/skeletons"; tail -n 24 "$work/why" | sed 's/^/    /'; fi
+  fi ;;
 esac
 if ! command -v node > /dev/null; then echo "skip solids: no node (package nodejs)"; exit; fi
 case solids/repaired in *"$ONLY"*) # damaged meshes, repaired: each is written without an intersection, or with a warning that it has some

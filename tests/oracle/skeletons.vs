@@ -1,0 +1,38 @@
+; Writes random outlines with holes and the faces of their straight skeletons, for skeletons_cgal.cc: stars, and cells of
+; a turned grid, whose edges meet many at a time. A line is a number of points and their coordinates; outlines begin with
+; `outline` and the number of loops, each outer one first, faces with `faces` and their number; a face has its edge's
+; start and end before its points.
+;   vs -q tests/oracle/skeletons.vs -D cases=1000
+(import (visualscheme))
+(define-parameter cases 10)
+(define-parameter seed 1)
+(define (write-points points)
+  (display (length points))
+  (for-each (lambda (p) (printf " ~a ~a" (cx p) (cy p))) points)
+  (newline))
+(define (turn loop)
+  (apply + (map (lambda (a b) (- (* (cx a) (cy b)) (* (cx b) (cy a)))) loop (append (cdr loop) (list (car loop))))))
+(define (star middle radius n)
+  (map (lambda (i) (+pol middle (* radius (+ 0.35 (random 0.65))) (* 2pi (/ (+ i (random 0.6)) n)))) (iota n)))
+(define (stars)
+  (let ((n (+ 8 (random 30))))
+    (cons (star origin 10 n)
+          (map (lambda (x) (reverse (star (xy x 0.1) 1. (+ 3 (random 8))))) (list-ref '(() (1.3) (1.3 -1.3)) (random 3))))))
+; An outline of cells that are connected by their sides: the largest of its loops, and the holes in it.
+(define (cells)
+  (let* ((boxes (append-map (lambda (x) (filter-map (lambda (y) (and (< (random 1.0) 0.7) (make-region (make-rectangle (xy x y) (xy (+ x 1.02) (+ y 1.02)))))) (iota 6))) (iota 6)))
+         (turned (lambda (p) (+pol origin (pol-rho p) (+ 0.3 (pol-phi p)))))
+         (loops (map (lambda (c) (map turned (car (object-arguments c)))) (outline (unite (make-region (make-rectangle origin (xy 1 1))) boxes))))
+         (sorted (sort loops > #:key (lambda (l) (abs (turn l))))) (outer (car sorted))
+         (inside? (lambda (p) (contains? (make-region (make-polygon outer)) p)))
+         (way (lambda (l sign) (if (> (* sign (turn l)) 0) l (reverse l)))))
+    (cons (way outer 1) (map (lambda (l) (way l -1)) (filter (lambda (l) (and (inside? (car l)) (every (lambda (p) (not (member p outer))) l))) (cdr sorted))))))
+(for ((s (range seed (+ seed cases))))
+  (random-seed! s)
+  (let* ((loops (if (even? s) (stars) (cells)))
+         (starts (apply append loops)) (ends (append-map (lambda (l) (append (cdr l) (list (car l)))) loops))
+         (faces (straight-skeleton loops 1)))
+    (printf "outline ~a~%" (length loops))
+    (for-each write-points loops)
+    (printf "faces ~a~%" (length faces))
+    (for-each (lambda (f) (write-points (append (list (list-ref starts (- (car f) 1)) (list-ref ends (- (car f) 1))) (cdr f)))) faces)))
