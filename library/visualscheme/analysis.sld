@@ -1,10 +1,12 @@
 ; Analysis of models: structures, heat, plans, and searches. Units are metre, newton, pascal and kilogram.
 (define-library (visualscheme analysis)
-  (export frame frame? frame-solve displacement rotation reaction reaction-moment member-force member-forces case-names combine-cases utilisation
+  (export members-of nodes-where nearest-node faces-on snow-load wind-pressure design-cases size-frame member-section
+    frame frame? frame-solve displacement rotation reaction reaction-moment member-force member-forces case-names combine-cases utilisation
     member-displacement buckling-modes vibration-modes mode? mode-value mode-curves deformed frame-picture color-legend
     u-value heat-balance
     egress egress-distance egress-path longest-egress isovist optimise
     round-section tube-section rectangle-section box-section any-section section? section-area
     structural-material structural-material?)
   (import (visualscheme) (analysis core))
-  (include "analysis/sections.scm" "analysis/frames.scm" "analysis/results.scm" "analysis/checks.scm" "analysis/deformation.scm" "analysis/modes.scm" "analysis/heat.scm" "analysis/plans.scm" "analysis/search.scm"))
+  (include "analysis/sections.scm" "analysis/frames.scm" "analysis/results.scm" "analysis/actions.scm" "analysis/timber.scm" "analysis/checks.scm"
+           "analysis/sizing.scm" "analysis/deformation.scm" "analysis/members.scm" "analysis/modes.scm" "analysis/heat.scm" "analysis/plans.scm" "analysis/search.scm"))

@@ -77,7 +77,7 @@
            (let ((points (moved-points r i factor c)) (wide (or radius (shown-radius (bar-section b)))))
              (color (scale-color v low high)
                (if (null? (cddr points)) (make-cylinder (first points) (second points) wide) (make-pipe (make-spline points) wide)))))
-      (members-of (result-frame r)) values (iota (member-count (result-frame r)) 1))))
+      (bars-in (result-frame r)) values (iota (member-count (result-frame r)) 1))))
 
 ; Returns a legend of the colours from low to high, upright in the plane of x and z: n fields above p, each with its value.
 (define (color-legend low high #:at [p any? origin] #:size [size any? 1] #:fields [n any? 5] #:format [text any? #f])

@@ -8,7 +8,7 @@
 (define (make-frame nodes bars held cases)
   (let ((all (list nodes bars (list->vector bars) held cases (list->vector (cons #f nodes))))) (make-framework (length nodes) (length bars) (lambda () all))))
 (define (nodes-of f) (first ((frame-parts f))))
-(define (members-of f) (second ((frame-parts f))))
+(define (bars-in f) (second ((frame-parts f))))
 (define (bars-at f) (third ((frame-parts f))))
 (define (held-of f) (fourth ((frame-parts f))))
 (define (cases-of f) (fifth ((frame-parts f))))
@@ -93,11 +93,16 @@
 
 (define (check-load l count members)
   (define (vector-at? i) (and (> (length l) i) (gvector? (list-ref l i))))
-  (define (bad) (error 'frame "loads: ~s is no load; loads are (list node force), (list node force moment), (list 'member number force-per-metre), (list 'members force-per-metre) and 'weight" l))
+  (define (bad) (error 'frame "loads: ~s is no load; loads are (list node force), (list node force moment), (list 'member number force-per-metre), (list 'members force-per-metre), (list 'faces faces force-per-m2), (list 'plan faces force-per-m2) and 'weight" l))
   (cond
     ((eq? l 'weight))
     ((not (and (list? l) (pair? l))) (bad))
     ((eq? (car l) 'weight) (if (not (and (= (length l) 2) (vector-at? 1))) (bad)))
+    ((memq (car l) '(faces plan))
+     (if (not (and (= (length l) 3) (pair? (cadr l)) (list? (cadr l)) (every (lambda (f) (and (list? f) (>= (length f) 3))) (cadr l))
+                   (or (vector-at? 2) (and (eq? (car l) 'faces) (real? (third l)) (finite? (third l))))))
+         (bad))
+     (for-each (lambda (f) (for-each (lambda (n) (need-node 'frame "loads: a face" n count)) f)) (cadr l)))
     ((eq? (car l) 'members) (if (not (and (= (length l) 2) (vector-at? 1))) (bad)))
     ((eq? (car l) 'member)
      (if (not (and (= (length l) 3) (vector-at? 2))) (bad))
@@ -152,8 +157,24 @@
 (define (add-at! v i g factor)
   (for-each (lambda (d x) (vector-set! v (+ i d) (+ (vector-ref v (+ i d)) (* factor x)))) '(0 1 2) (list (cx g) (cy g) (cz g))))
 
+; Gives each corner of a face its part of a load: a third of each triangle's load, and of the middle's part an equal share.
+; Force and moment are those of the load. load: a force for each m2 of the face or, if it is a `plan`, for each m2 of the face
+; as the force sees it; or a pressure on the side from which the corners run counter-clockwise.
+(define (add-face! face load plan at take!)
+  (let* ((points (map (lambda (n) (vector-ref at n)) face)) (n (length face))
+         (middle (p+v origin (v/r (fold (lambda (p sum) (v+v sum (p->q origin p))) (vxyz 0 0 0) points) n)))
+         (parts (map (lambda (p q)
+                       (let* ((a (v*r (cross (p->q middle p) (p->q middle q)) 1/2)))
+                         (cond
+                           ((real? load) (v*r a (- load)))
+                           (plan (v*r load (let ((size (vlength load))) (if (> size 0) (abs (dot a (v/r load size))) 0))))
+                           (else (v*r load (vlength a))))))
+                  points (append (cdr points) (list (car points)))))
+         (whole (v/r (fold v+v (vxyz 0 0 0) parts) (* 3 n))))
+    (for-each (lambda (number here before) (take! number (v+v whole (v/r (v+v here before) 3)))) face parts (cons (last parts) (drop-right parts 1)))))
+
 ; Adds the loads of a case to those of nodes and of members, of which the case's begin at the numbers n0 and m0.
-(define (add-case! case bars nodes lines n0 m0)
+(define (add-case! case bars at nodes lines n0 m0)
   (define (every-member g factor)
     (for-each (lambda (b k) (add-at! lines (+ m0 (* 3 k)) g (factor b))) bars (iota (length bars))))
   (define (weight b) (* (section-area (bar-section b)) (density-of (bar-material b))))
@@ -162,6 +183,8 @@
       (cond
         ((eq? l 'weight) (every-member (vxyz 0 0 (- gravity)) weight))
         ((eq? (car l) 'weight) (every-member (cadr l) weight))
+        ((memq (car l) '(faces plan))
+         (for-each (lambda (f) (add-face! f (third l) (eq? (car l) 'plan) at (lambda (n g) (add-at! nodes (+ n0 (* 6 (- n 1))) g 1)))) (cadr l)))
         ((eq? (car l) 'members) (every-member (cadr l) (lambda (b) 1)))
         ((eq? (car l) 'member) (add-at! lines (+ m0 (* 3 (- (cadr l) 1))) (third l) 1))
         (else
@@ -175,9 +198,9 @@
 
 (define (frame-solve f)
   (need-frame 'frame-solve f)
-  (let* ((bars (members-of f)) (cases (cases-of f)) (n (length (nodes-of f))) (m (length bars)) (c (length cases))
+  (let* ((bars (bars-in f)) (cases (cases-of f)) (n (length (nodes-of f))) (m (length bars)) (c (length cases))
          (nodes (make-vector (* 6 n c) 0)) (lines (make-vector (* 3 m c) 0)))
-    (for-each (lambda (case k) (add-case! case bars nodes lines (* 6 n k) (* 3 m k))) cases (iota c))
+    (for-each (lambda (case k) (add-case! case bars (nodes-at f) nodes lines (* 6 n k) (* 3 m k))) cases (iota c))
     (let ((found (core:frame-solve (nodes-of f) (member-numbers bars) (held-of f) nodes lines c)))
       (if (pair? (fourth found))
           (warn (format "frame-solve: node ~a is free to move where nothing loads it, and was held there~a" (first (fourth found))

@@ -69,8 +69,10 @@
 ; EN 14080 (mean moduli and densities; bending strengths). Concrete: EN 1992-1-1, table 3.1. Aluminium: EN 1999-1-1, 3.2.5.
 (define known-materials
   (list (make-structural-material 's235 210e9 81e9 7850 235e6) (make-structural-material 's275 210e9 81e9 7850 275e6)
-        (make-structural-material 's355 210e9 81e9 7850 355e6) (make-structural-material 'c24 11e9 0.69e9 420 24e6)
-        (make-structural-material 'gl24h 11.5e9 0.65e9 420 24e6) (make-structural-material 'c25/30 31e9 (/ 31e9 2.4) 2500 25e6)
+        (make-structural-material 's355 210e9 81e9 7850 355e6) (make-structural-material 'c16 8e9 0.5e9 370 16e6)
+        (make-structural-material 'c24 11e9 0.69e9 420 24e6) (make-structural-material 'c30 12e9 0.75e9 460 30e6)
+        (make-structural-material 'gl24h 11.5e9 0.65e9 420 24e6) (make-structural-material 'gl28h 12.6e9 0.65e9 460 28e6)
+        (make-structural-material 'gl32h 14.2e9 0.65e9 490 32e6) (make-structural-material 'c25/30 31e9 (/ 31e9 2.4) 2500 25e6)
         (make-structural-material 'aluminium 70e9 27e9 2700 #f)))
 
 (define (structural-material modulus #:shear [shear any? #f] #:density [density any? 0] #:strength [strength any? #f] #:name [name any? 'material])

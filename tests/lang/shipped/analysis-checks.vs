@@ -66,7 +66,7 @@
 (define cases (frame-solve (frame beam '((1 2)) #:supports '(1) #:sections tube #:loads (list (list "a" (list 2 (vxyz 0 0 -100))) (list "b" (list 2 (vxyz 0 900 0)))))))
 (say (same? (utilisation cases 1) (utilisation cases 1 #:case "b")) (same? (utilisation cases 1 #:case "a") (/ 400 w fy)))
 ; expect: (#t #t)
-(fails (utilisation (frame-solve (frame beam '((1 2)) #:supports '(1) #:sections tube #:materials 'c24)) 1)) ; expect: utilisation: member 1 is of c24, and the check is that of steel (EN 1993-1-1)
+(fails (utilisation (frame-solve (frame beam '((1 2)) #:supports '(1) #:sections tube #:materials 'c24)) 1)) ; expect: utilisation: member 1 is of timber, and its section is a tube: the check is that of rectangles and circles
 (fails (utilisation (frame-solve (frame beam '((1 2)) #:supports '(1) #:sections tube #:materials 200e9)) 1)) ; expect: utilisation: member 1 is of a material without a #:strength
 (fails (utilisation (frame-solve (frame beam '((1 2)) #:supports '(1) #:sections (any-section 1e-3 #:iy 1e-6 #:iz 1e-6))) 1)) ; expect: utilisation: the section of member 1 has no #:wy and #:wz
 (fails (utilisation simple 1 #:forming 'warm)) ; expect: utilisation: forming must be 'cold or 'hot, got warm

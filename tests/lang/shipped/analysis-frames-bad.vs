@@ -43,9 +43,9 @@
 (fails (frame beam '((1 2)) #:supports '((1 w)) #:sections tube))    ; expect: frame: supports: w holds nothing; write 'fixed, 'pinned, or some of (x y z rx ry rz), in (1 w)
 (fails (frame beam '((1 2)) #:supports '(1) #:sections (list tube tube))) ; expect: frame: sections must be one, or a list of 1, one for each member, got 2
 (fails (frame beam '((1 2)) #:supports '(1) #:sections tube #:materials 'gold))
-; expect: frame: materials must be one of (s235 s275 s355 c24 gl24h c25/30 aluminium), a modulus in Pa or a structural-material, got gold
+; expect: frame: materials must be one of (s235 s275 s355 c16 c24 c30 gl24h gl28h gl32h c25/30 aluminium), a modulus in Pa or a structural-material, got gold
 (fails (frame beam '((1 2)) #:supports '(1) #:sections tube #:loads '((2 100))))
-; expect: frame: loads: (2 100) is no load; loads are (list node force), (list node force moment), (list 'member number force-per-metre), (list 'members force-per-metre) and 'weight
+; expect: frame: loads: (2 100) is no load; loads are (list node force), (list node force moment), (list 'member number force-per-metre), (list 'members force-per-metre), (list 'faces faces force-per-m2), (list 'plan faces force-per-m2) and 'weight
 (fails (frame beam '((1 2)) #:supports '(1) #:sections tube #:loads (list (list 'member 2 down)))) ; expect: frame: loads: a member must be a number from 1 to 1, got 2
 (fails (frame beam '((1 2)) #:supports '(1) #:sections tube #:loads '(weight ("wind" weight)))) ; expect: frame: loads: the case "wind" is beside loads without a case; give each a case
 (fails (frame beam '((1 2)) #:supports '(1) #:sections tube #:loads '(("a" weight) ("a" weight)))) ; expect: frame: loads: two cases have one name in ("a" "a")
