@@ -363,6 +363,9 @@ dist: ## make a release, build/visualscheme-VERSION.tar.gz, which builds without
 	BUILD=$(BUILD) sh scripts/install.sh build
 	sh scripts/dist.sh $(BUILD) $(VERSION)
 
+vscode: ## pack the extension for Visual Studio Code, build/visualscheme-VERSION.vsix
+	@sh scripts/vscode.sh $(BUILD) $(VERSION)
+
 deb: dist ## make packages of Debian from the release, below build/deb
 	BUILD=$(BUILD) sh scripts/install.sh build deb
 	sh scripts/deb.sh $(BUILD) $(VERSION)
@@ -375,5 +378,5 @@ help: ## list the targets
 
 include live/playground/rules.mk
 
-.PHONY: playground all objects demo test check fresh units tools tests tested quick asan ubsan tsan static sanitized fuzz fuzzers coverage stress layers bless bench manual gallery install uninstall dist deb clean help
+.PHONY: playground all objects demo test check fresh units tools tests tested quick asan ubsan tsan static sanitized fuzz fuzzers coverage stress layers bless bench manual gallery install uninstall dist deb vscode clean help
 -include $(OBJECTS:.o=.d) $(BUILD)/obj/scripts/stage0.d $(UNIT_BIN:=.d)

@@ -28,10 +28,11 @@ enum { BODY_MOST = 16 << 20, CONNECTIONS = 32, WINDOWS = 12, SILENCE = 30, EXPOR
 ASSET(live_html) ASSET(live_js) ASSET(live_css)
 #undef ASSET
 
+/* Frames are for panels of VS Code alone: no page of the web has an address with these schemes. */
 #define POLICY(styles) \
   "default-src 'none'; script-src 'self'; style-src 'self'" styles "; style-src-attr 'unsafe-inline'; " \
   "connect-src 'self'; img-src 'self' blob: data:; media-src blob:; base-uri 'none'; form-action 'none'; " \
-  "frame-ancestors 'none'"
+  "frame-ancestors vscode-webview: vscode-file:"
 
 /* began: whether the request's headers were read. zero: whether its path or query contains the character U+0000. */
 typedef struct { live_text body; bool too_long, began, zero; } request;

@@ -114,20 +114,9 @@ class Diagnostic { constructor(range, message, severity) { Object.assign(this, {
 module.exports = { Position, Range, Diagnostic, DiagnosticSeverity: { Error: 0, Warning: 1, Information: 2 } };
 END
   cp editors/vscode/extension.js "$work/"
-  cat > "$work/server.js" <<'END'
-const path = require("path"), fs = require("fs");
-const vscode = require("vscode");
-vscode.workspace = { getConfiguration: () => ({ get: (name) => ({ command: "vs" })[name] }) };
-const { startServer } = require("./extension.js");
-console.log(startServer() === null ? "no client" : "a client");
-fs.mkdirSync("node_modules/vscode-languageclient", { recursive: true });
-fs.writeFileSync("node_modules/vscode-languageclient/node.js", "class LanguageClient { constructor(...of) { this.of = of; } start() { this.started = true; } stop() {} } module.exports = { LanguageClient, TransportKind: { stdio: 0 } };");
-const client = startServer(), [, , server, options] = client.of;
-console.log(client.started, server.command, server.args.join(), options.documentSelector.map((d) => d.language).join());
-END
-  same "vscode:server" "no client|true vs lsp visualscheme,visualscheme|" "$(cd "$work" && node server.js 2>&1 | tr '\n' '|')"
   cat > "$work/try.js" <<'END'
-const { problems, findings } = require("./extension.js"), { readFileSync } = require("fs");
+const { problems, findings, startServer } = require("./extension.js"), { readFileSync } = require("fs");
+if (startServer()) throw new Error("a server without its client's package");
 for (const found of [findings(readFileSync("looks.json", "utf8"), "/models"), problems(readFileSync("said", "utf8"), "/models"), findings("no JSON", "/models")])
   for (const [file, list] of found)
     for (const d of list) console.log(file, d.range.start.line, d.range.start.character, d.range.end.character, d.severity, d.code || "-", d.message);
@@ -136,4 +125,18 @@ END
   same "vscode:problems" "/models/house.vs 0 21 27 1 unused-parameter wall does not use its parameter unused
 /models/house.vs 2 6 18 1 arguments wall takes 2 arguments and is given 3: (wall length unused)
 /models/house.vs 2 6 7 0 - wall needs 2 arguments (length unused), got 3" "$(head -n 3 "$work/tried")"
+  # A session of VS Code's own client with vs lsp; then of the extension as it is packed.
+  session() { cp tests/editors/slips.vs "$work/code.vs"; VS=$(cd "$BUILD" && pwd)/vs VIEWER=$viewer timeout 100 node tests/editors/vscode_session.js "$1" "$work/code.vs" 2>&1; }
+  viewer=; [ ! -d node_modules/three ] || viewer=1
+  if [ -d tests/node_modules/vscode-languageclient ]; then
+    want=$(if [ "$viewer" ]; then cat tests/editors/vscode.want; else grep -v '^panel: ' tests/editors/vscode.want; fi)
+    same "vscode:session" "$want" "$(NODE_PATH=tests/node_modules; export NODE_PATH; session editors/vscode/extension.js)"
+    if [ -d tests/node_modules/@vscode/vsce ] && [ -d node_modules/esbuild ] && command -v python3 > /dev/null; then
+      sh scripts/vscode.sh "$work/packed" 0.1.0 > "$work/said" 2>&1
+      same "vscode:packs" "$work/packed/visualscheme-0.1.0.vsix" "$(cat "$work/said")"
+      (cd "$work/packed" && python3 -m zipfile -e visualscheme-0.1.0.vsix .)
+      same "vscode:packed session" "$want" "$(session "$work/packed/extension/extension.js")"
+      same "vscode:licences" "4" "$(grep -c '^---- vscode-' "$work/packed/extension/LICENSE.txt")"
+    else echo "skip editors/vscode:packs: no vsce, esbuild or python3 (make check)"; fi
+  else echo "skip editors/vscode:session: no vscode-languageclient"; fi
 else echo "skip editors/vscode: no node"; fi

@@ -1,4 +1,4 @@
-// Owns the extension's commands: checking a model, whose messages become problems, and its live view.
+// Owns the extension's commands: checking a model, whose messages become problems, and its live view in a panel.
 "use strict";
 const vscode = require("vscode");
 const { execFile, spawn } = require("child_process");
@@ -35,12 +35,41 @@ function findings(text, folder) {
   return found;
 }
 
-// The language server, if its client's package is installed: completion, help, definitions, colours, quick fixes.
+// The panel's page: the live view in a frame. The address has its token after #, which the frame alone reads.
+function page(address) {
+  const quoted = address.replace(/&/g, "&amp;").replace(/"/g, "&quot;").replace(/</g, "&lt;"), origin = new URL(address).origin;
+  return `<!DOCTYPE html>
+<html><head><meta charset="utf-8"><title>VisualScheme</title>
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; frame-src ${origin}; style-src 'unsafe-inline'">
+<style>html, body, iframe { margin: 0; padding: 0; border: 0; width: 100%; height: 100%; overflow: hidden; display: block }</style></head>
+<body><iframe src="${quoted}" sandbox="allow-scripts allow-same-origin allow-downloads allow-popups" allow="clipboard-write; fullscreen"></iframe></body></html>`;
+}
+
+// Shows the address beside the text: the first time in a new panel, then in that one. ended: called when the user closes the panel.
+const panels = new Map();
+async function showPanel(address, title, ended) {
+  const open = panels.get(address);
+  if (open) return open.reveal(undefined, true);
+  const panel = vscode.window.createWebviewPanel("visualscheme.view", title, { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true }, { enableScripts: true, retainContextWhenHidden: true });
+  panels.set(address, panel);
+  panel.onDidDispose(() => { panels.delete(address); if (ended) ended(); });
+  const [where, token] = address.split("#"), reached = await vscode.env.asExternalUri(vscode.Uri.parse(where)); // elsewhere if vs runs on another machine
+  panel.webview.html = page(String(reached).replace(/#.*$/, "") + (token ? "#" + token : ""));
+  return panel;
+}
+
+// The language server, if its client's package is installed: completion, help, definitions, colours, quick fixes. An address that the
+// server asks to show appears in a panel.
 function startServer() {
   let node;
   try { node = require("vscode-languageclient/node"); } catch { return null; }
-  const client = new node.LanguageClient("visualscheme", "VisualScheme", { command: setting("command"), args: ["lsp"], transport: node.TransportKind.stdio },
-    { documentSelector: [{ scheme: "file", language: "visualscheme" }, { scheme: "untitled", language: "visualscheme" }] });
+  const showDocument = async (asked, next) => {
+    if (!asked.external || !/^http:\/\/127\.0\.0\.1:/.test(asked.uri)) return next(asked);
+    await showPanel(asked.uri, "VisualScheme");
+    return { success: true };
+  };
+  const client = new node.LanguageClient("visualscheme", "VisualScheme", { command: setting("command"), args: ["lsp"] },
+    { documentSelector: [{ scheme: "file", language: "visualscheme" }, { scheme: "untitled", language: "visualscheme" }], middleware: { window: { showDocument } } });
   client.start();
   return client;
 }
@@ -64,11 +93,18 @@ function activate(context) {
   };
   const view = () => {
     const editor = vscode.window.activeTextEditor, file = editor && editor.document.fileName;
-    if (!file || views.has(file)) return;
+    if (!file) return;
+    if (views.has(file)) return views.get(file).address && showPanel(views.get(file).address);
     const server = spawn(setting("command"), ["view", "-q", file], { cwd: path.dirname(file) });
+    let text = "";
     views.set(file, server);
-    server.stdout.once("data", (text) => vscode.env.openExternal(vscode.Uri.parse(String(text).trim())));
-    server.on("error", (error) => vscode.window.showErrorMessage(error.message));
+    server.stdout.on("data", (more) => {
+      text += more;
+      if (server.address || !text.includes("\n")) return;
+      server.address = text.slice(0, text.indexOf("\n")).trim();
+      showPanel(server.address, path.basename(file), () => server.kill());
+    });
+    server.on("error", (error) => { views.delete(file); vscode.window.showErrorMessage(error.message); });
     server.on("exit", () => views.delete(file));
   };
   const write = async () => {
@@ -89,4 +125,4 @@ function activate(context) {
     { dispose: () => { for (const server of views.values()) server.kill(); } });
 }
 
-module.exports = { activate, deactivate() {}, problems, findings, startServer };
+module.exports = { activate, deactivate() {}, problems, findings, page, startServer };
