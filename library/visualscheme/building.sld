@@ -1,6 +1,6 @@
 ; The words of a building: roofs, walls and their openings, slabs, columns, beams, stairs, ramps, railings, rooms. All lengths are in model units, all angles in radians.
 (define-library (visualscheme building)
-  (export roof roof-faces
+  (export roof roof-faces dormer roof-rafters roof-tiles
           wall wall? wall-layers wall-path wall-thickness wall-height wall-base wall-name wall-openings join-walls opening window door
           slab column beam stair ramp railing
           rooms room? room-name room-area room-perimeter room-height room-volume room-region room-solid room-doors room-graph gross-area
@@ -9,4 +9,4 @@
           check-print thinnest-wall print-fault? print-fault-kind print-fault-place print-fault-value print-fault-area)
   (import (visualscheme) (building core))
   (include "building/roofs.scm" "building/paths.scm" "building/joints.scm" "building/walls.scm" "building/openings.scm"
-           "building/storeys.scm" "building/rooms.scm" "building/clashes.scm" "building/printing.scm"))
+           "building/storeys.scm" "building/rooms.scm" "building/clashes.scm" "building/printing.scm" "building/dormers.scm" "building/roof_grids.scm"))

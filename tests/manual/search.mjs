@@ -16,7 +16,7 @@ const find = (words) => {
   parts.search.listeners.input();
   return parts.found.children.filter((c) => c.children.length).map((c) => c.children[0].href);
 };
-for (const [words, wanted] of [["do-sweep", "language/objects.html#do-sweep"], ["roof", "building.html#roof-outline-pitch-gables-overhang-thickness"], ["openscad", "coming-from-openscad.html"],
+for (const [words, wanted] of [["do-sweep", "language/objects.html#do-sweep"], ["roof", "building.html#roof-outline-pitch-gables-overhang-mansard-dormers-thickness"], ["openscad", "coming-from-openscad.html"],
   ["sphere", "primitives/sphere.html#sphere"], ["random seed", "language/numbers.html"]]) {
   const [first = ""] = find(words);
   console.log(first.startsWith(wanted) ? `ok manual:search:${words}` : `not ok manual:search:${words}: first is ${first}`);

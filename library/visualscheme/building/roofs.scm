@@ -54,9 +54,15 @@
 
 (define (split l sizes) (if (null? sizes) '() (cons (take l (car sizes)) (split (drop l (car sizes)) (cdr sizes)))))
 
+; Tests a mansard: #f, or a list of the height of the break and the pitch above it.
+(define (check-mansard who m)
+  (if (not (or (not m) (and (list? m) (= (length m) 2) (positive-number? (first m)) (real? (second m)) (< 0 (second m) (/ pi 2)))))
+      (error who "mansard must be a list of the height of the break and the pitch above it, in radians between 0 and pi/2, got ~s" m)))
+
 ; Returns the faces of a roof: lists of the number of the edge, or #f, and of points.
-(define (faces who outline pitch gables overhang)
+(define (faces who outline pitch gables overhang mansard)
   (if (not (and (real? overhang) (finite? overhang) (>= overhang 0))) (error who "overhang must be a number of 0 or more, got ~s" overhang))
+  (check-mansard who mansard)
   (let* ((loops (loops-of who outline)) (sizes (map length loops)) (pitches (pitches-of who pitch gables (apply + sizes)))
          (flattest (apply min (/ pi 2) (filter values pitches)))
          ; the eaves are level: they lie as far below the outline as the flattest plane falls on its overhang
@@ -66,12 +72,71 @@
          (sign (lambda (loop)
                  (let ((holes (count (lambda (l) (and (not (eq? l loop)) (inside? (car loop) l))) loops)))
                    (if (eq? (> (turn loop) 0) (even? holes)) 1 -1))))
-         (wide (if (> overhang 0) (map (lambda (l d) (widened who l (sign l) d)) loops (split distances sizes)) loops)))
+         (wide (if (> overhang 0) (map (lambda (l d) (widened who l (sign l) d)) loops (split distances sizes)) loops))
+         (plain (straight-skeleton wide (map speed pitches))))
     (map (lambda (face) (cons (car face) (map (lambda (p) (xyz (cx p) (cy p) (+ z (cz p)))) (cdr face))))
-         (straight-skeleton wide (map speed pitches)))))
+         (if mansard (broken who plain (+ (first mansard) fall) (lambda (edge) (if (and edge (list-ref pitches (- edge 1))) (/ 1 (tan (second mansard))) 0)))
+             plain))))
 
-(define (roof-faces outline #:pitch [pitch any? (degrees->radians 35)] #:gables [gables any? '()] #:overhang [overhang any? 0])
-  (faces 'roof-faces outline pitch gables overhang))
+(define (roof-faces outline #:pitch [pitch any? (degrees->radians 35)] #:gables [gables any? '()] #:overhang [overhang any? 0] #:mansard [mansard any? #f])
+  (faces 'roof-faces outline pitch gables overhang mansard))
+
+; A mansard: the faces below the break, and above it the skeleton of the level outline at the break.
+
+; Returns the faces with those above the height replaced; speed-of returns the speed of an edge above the break.
+(define (broken who faces height speed-of)
+  (let* ((known '())
+         (one (lambda (p) ; returns the point that faces share
+                (or (find (lambda (k) (< (distance k p) 1e-7)) known) (begin (set! known (cons p known)) p))))
+         (low (map (lambda (f) (below f height one)) faces))
+         (segments (append-map second low))
+         (loops (chained-loops (map cdr segments)))
+         (edge-from (lambda (p) (car (find (lambda (s) (eq? (second s) p)) segments))))
+         (edges (append-map (lambda (l) (map edge-from l)) loops))
+         (foot (lambda (p) (xy (cx p) (cy p)))))
+    (if (null? loops) faces
+        (let* ((lower (filter (lambda (f) (> (length f) 3)) (map first low)))
+               (upper (map (lambda (f)
+                             (cons (and (car f) (list-ref edges (- (car f) 1)))
+                                   (map (lambda (p)
+                                          (let ((q (xyz (cx p) (cy p) (+ height (cz p))))) (if (< (cz p) 1e-9) (one q) q)))
+                                     (cdr f))))
+                           (straight-skeleton (map (lambda (l) (map foot l)) loops) (map speed-of edges))))
+               (gable? (lambda (f) (and (car f) (= 0 (speed-of (car f)))))))
+          (append (fold (lambda (f lower) (map (lambda (g) (if (eqv? (car f) (car g)) (raised-gable g f) g)) lower)) lower (filter gable? upper))
+                  (remove gable? upper))))))
+
+; Returns the gable's lower part g with the upper part f, if they have an edge in common.
+(define (raised-gable g f)
+  (define (from p l) (let ((i (list-index (lambda (q) (eq? q p)) l))) (append (drop l i) (take l i))))
+  (let* ((l (cdr g))
+         (a (find (lambda (p) (and (memq p (cdr f)) (memq (cadr (append (from p l) (list p))) (cdr f)))) l)))
+    (if (not a) g
+        (let ((rest (from a l))) (cons (car g) (append (drop-right (from a (cdr f)) 1) (cdr rest)))))))
+
+; Returns the part of a face below the height, and its segments at the height as lists of the edge, start and end.
+(define (below face height one)
+  (define (above? p) (> (cz p) (+ height 1e-9)))
+  (define (crossing p q) (let ((r (intermediate-point p q (/ (- height (cz p)) (- (cz q) (cz p)))))) (one (xyz (cx r) (cy r) height))))
+  (let* ((points (cdr face)) (first-low (or (list-index (lambda (p) (not (above? p))) points) 0))
+         (around (append (drop points first-low) (take points first-low))))
+    (let loop ((l around) (kept '()) (left #f) (segments '()))
+      (if (null? l) (list (cons (car face) (reverse kept)) segments)
+          (let* ((p (car l)) (q (if (pair? (cdr l)) (cadr l) (car around))) (kept (if (above? p) kept (cons p kept))))
+            (cond ((and (not (above? p)) (above? q)) (let ((x (crossing p q))) (loop (cdr l) (cons x kept) x segments)))
+                  ((and (above? p) (not (above? q)))
+                   (let ((x (crossing p q)))
+                     (if (eq? x left) (loop (cdr l) kept #f segments)
+                         (loop (cdr l) (cons x kept) #f (cons (list (car face) left x) segments)))))
+                  (else (loop (cdr l) kept left segments))))))))
+
+; Returns the closed loops of segments, lists of start and end. Ends and starts are the same points.
+(define (chained-loops segments)
+  (if (null? segments) '()
+      (let follow ((loop (list (caar segments))) (end (cadar segments)) (rest (cdr segments)))
+        (let ((next (find (lambda (s) (eq? (first s) end)) rest)))
+          (if next (follow (cons end loop) (second next) (remove (lambda (s) (eq? s next)) rest))
+              (cons (reverse loop) (chained-loops rest)))))))
 
 ; Numbers points from 1 by their coordinates: returns the procedure that numbers, and one that returns all points.
 (define (numbering)
@@ -87,12 +152,10 @@
 (define (without-repeats l)
   (filter-map (lambda (a b) (if (equal? a b) #f a)) l (append (cdr l) (list (car l)))))
 
-; A roof's solid has its faces above and their projections below. Where a face is vertical, its projection has no area:
-; face and projection are one polygon, without the edge at the foot that both have.
-(define (roof outline #:pitch [pitch any? (degrees->radians 35)] #:gables [gables any? '()] #:overhang [overhang any? 0] #:thickness [thickness any? #f])
-  (if (not (or (not thickness) (and (real? thickness) (> thickness 0)))) (error 'roof "thickness must be a positive number, got ~s" thickness))
-  (let* ((all (faces 'roof outline pitch gables overhang))
-         (foot (apply min (append-map (lambda (f) (map cz (cdr f))) all)))
+; Returns the solid of roof faces: above them their planes, below their projections. Where a face is vertical, its projection
+; has no area: face and projection are one polygon, without the edge at the foot that both have.
+(define (faces-solid all gables)
+  (let* ((foot (apply min (append-map (lambda (f) (map cz (cdr f))) all)))
          (down (lambda (p) (xyz (cx p) (cy p) foot)))
          (level? (lambda (f) (and (car f) (not (memv (car f) gables))))))
     (call-with-values numbering
@@ -109,4 +172,17 @@
                (solid (make-polyface-mesh (points) polygons)))
           (if (not (solid? solid))
               (error 'roof "parallel edges of unequal pitch make a vertical step, which has no solid: give them one pitch, or use roof-faces"))
-          (if thickness (subtract solid (do-move solid (vxyz 0 0 (- thickness)))) solid))))))
+          solid)))))
+
+(define (roof outline #:pitch [pitch any? (degrees->radians 35)] #:gables [gables any? '()] #:overhang [overhang any? 0] #:mansard [mansard any? #f]
+                      #:dormers [dormers any? '()] #:thickness [thickness any? #f])
+  (if (not (or (not thickness) (and (real? thickness) (> thickness 0)))) (error 'roof "thickness must be a positive number, got ~s" thickness))
+  (let* ((all (faces 'roof outline pitch gables overhang mansard)) (solid (faces-solid all gables))
+         (top (apply max (append-map (lambda (f) (map cz (cdr f))) all)))
+         (loops (loops-of 'roof outline)) (pitches (pitches-of 'roof pitch gables (apply + (map length loops))))
+         (built (map (lambda (d) (dormer-solids d loops pitches mansard top (or thickness 0))) (dormers-of dormers))))
+    (cond ((and (null? built) thickness) (subtract solid (do-move solid (vxyz 0 0 (- thickness)))))
+          ((null? built) solid)
+          (thickness
+            (unite (subtract (unite solid (map first built)) (do-move solid (vxyz 0 0 (- thickness))) (map second built)) (map third built)))
+          (else (unite solid (map first built))))))
