@@ -375,6 +375,11 @@ static bool take_on(cli_options *o, const option_row *row, const char *v) {
          bad(row, v);
 }
 
+static bool take_pack(cli_options *o, const option_row *row, const char *v) {
+  o->cluster.pack = true, o->cluster.packed = v;
+  return !v || *v || bad(row, "''");
+}
+
 static bool take_memory(cli_options *o, const option_row *row, const char *v) {
   size_t digits = strspn(v, "0123456789");
   o->cluster.memory = v;
@@ -473,7 +478,7 @@ static bool is_one_of(const char *word, const char *const *options, size_t count
 
 /* Returns true for options that say where parts run. */
 static bool is_of_cluster(const char *word) {
-  static const char *const own[] = {"on", "time", "memory", "cpus", "bundle"};
+  static const char *const own[] = {"on", "time", "memory", "cpus", "bundle", "pack"};
   return word[1] == '-' && is_one_of(word, own, sizeof own / sizeof *own);
 }
 

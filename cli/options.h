@@ -47,6 +47,7 @@ enum { CLI_TAKES_JSON = 1, CLI_TAKES_XML = 2, CLI_TAKES_TWO = 4 /* the command r
 typedef struct {
   const char *on;               /* "local", "parallel", "slurm" or "slurm:PARTITION"; NULL: here, without --on */
   const char *time, *memory;    /* a bundle's limits, as Slurm reads them */
+  bool pack; const char *packed; /* --pack; packed: names of more files to pack, separated by commas, or NULL */
   size_t cpus, bundle;          /* cpus: processors of a bundle; bundle: number of parts in it */
 } cli_cluster;
 
@@ -83,6 +84,7 @@ typedef struct {
   cli_cluster cluster;                 /* the options about clusters */
   size_t retries;                      /* number of further runs of a part that was killed, or whose worker failed */
   bool watch;                          /* whether the command runs again when a file changes */
+  bool trying;                         /* of --pack: the parts run without outputs, for the files that they read */
   bool join, keep_going, keep_failed;  /* vs render, vs sweep: whether these options are given */
   size_t jobs;                         /* vs render: number of processes by --jobs; 0 if not given */
   int results;                         /* vs test, vs sweep: in the process of a run, the pipe for its results */

@@ -951,7 +951,8 @@ vs_outcome cli_render_command(const cli_options *o, const volatile sig_atomic_t 
                                           o->tiles.columns ? o->tiles.to : o->frames.to, own, sizeof own);
       if (!ok) fprintf(stderr, "vs render: %s: the name is too long\n", b.whole_path);
       if (ranged) b.manifest_path = own;
-      if (ok && prepare(&b)) outcome = run_batch(&b);
+      if (o->trying) b.whole_path = b.manifest_path = NULL;
+      if (ok && prepare(&b)) outcome = o->trying ? (run_all(&b, ended, try_model), VS_OUTCOME_DONE) : run_batch(&b);
     }
     cli_inputs_hear(b.told, b.inputs);
     cli_inputs_tell(watches, b.inputs);

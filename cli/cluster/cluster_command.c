@@ -12,6 +12,7 @@
 
 #include "cli/batch/part_states.h"
 #include "cli/cluster/job_bundles.h"
+#include "cli/cluster/job_pack.h"
 #include "cli/cluster/job_process.h"
 #include "cli/cluster/slurm.h"
 #include "cli/sweep/sweep_states.h"
@@ -61,15 +62,17 @@ static bool set_limits(job_record *r, const job_use *use) {
 static bool measure(job_record *r, const volatile sig_atomic_t *ended, int *code) {
   job_use use;
   cli_part_states states;
-  const char **words = job_words_of(r, "1..1");
-  *code = words ? job_run(words, ended, NULL, &use) : VS_OUTCOME_MACHINE;
+  const char **words = r->packed ? NULL : job_words_of(r, "1..1");
+  *code = r->packed ? job_pack_sample(r, ended, &use) : words ? job_run(words, ended, NULL, &use) : VS_OUTCOME_MACHINE;
   free(words);
   if (*ended) *code = VS_OUTCOME_INTERRUPTED;
   bool film = !strcmp(r->command, "render");
   if (*code == VS_OUTCOME_USAGE || *code == VS_OUTCOME_INTERRUPTED || (*code != VS_OUTCOME_DONE && film)) return false;
-  if (!job_states(r, &states)) return *code = VS_OUTCOME_USAGE, false;
-  r->seconds = states.seconds > 0 ? states.seconds : use.seconds;
-  free(states.at);
+  if (!r->packed) {
+    if (!job_states(r, &states)) return *code = VS_OUTCOME_USAGE, false;
+    r->seconds = states.seconds > 0 ? states.seconds : use.seconds;
+    free(states.at);
+  }
   if (!r->bundle) r->bundle = job_bundle_size(r->seconds, r->parts, job_is_on_slurm(r));
   if (set_limits(r, &use)) return true;
   return *code = VS_OUTCOME_MACHINE, false;
@@ -160,19 +163,27 @@ static void print_limit(const char *limit, const char *unit) {
   if (*limit && !limit[strspn(limit, "0123456789")]) printf(" %s", unit);
 }
 
+/* Returns true if the exposure of all frames follows from the first. */
+static bool is_metered(const cli_options *o) {
+  return o->command == CLI_COMMAND_render && o->frames.count && !o->output.development.fixed;
+}
+
+/* Makes a bundle of the first part alone. Returns false after a message. */
+static bool bundle_first(job_record *r) {
+  r->bundles = sweep_keep(&r->memory, 1, sizeof *r->bundles);
+  if (!r->bundles) return false;
+  r->bundles[0] = (job_range){1, 1}, r->bundle_count = 1;
+  return job_scripts_write(r);
+}
+
 static vs_outcome submit(job_record *r, const cli_options *o, const volatile sig_atomic_t *ended) {
   bool given = o->cluster.time && o->cluster.memory;
-  char path[JOB_PATH_ROOM];
-  job_record_path(r, JOB_NODES, path), remove(path);
   int code = VS_OUTCOME_DONE;
-  size_t first = given ? 0 : 1;
-  if (!given && !measure(r, ended, &code)) return (vs_outcome)code;
+  size_t first = given || r->packed ? 0 : 1;
+  if (!(given && !r->packed) && !measure(r, ended, &code)) return (vs_outcome)code;
   if (!r->bundle) r->bundle = job_bundle_size(0, r->parts, true);
-  if (given && o->command == CLI_COMMAND_render && o->frames.count && !o->output.development.fixed) {
-    r->bundles = sweep_keep(&r->memory, 1, sizeof *r->bundles);
-    if (!r->bundles) return VS_OUTCOME_MACHINE;
-    r->bundles[0] = (job_range){1, 1}, r->bundle_count = 1;
-    if (!job_scripts_write(r) || !slurm_submit_first(r, ended)) return VS_OUTCOME_WORKER;
+  if (first == 0 && is_metered(o)) {
+    if (!bundle_first(r) || !slurm_submit_first(r, ended)) return VS_OUTCOME_WORKER;
     first = 1;
   }
   if (!job_bundles_make(r, NULL, first) || !job_scripts_write(r) || !job_record_write(r)) return VS_OUTCOME_USAGE;
@@ -188,11 +199,17 @@ static vs_outcome submit(job_record *r, const cli_options *o, const volatile sig
   return VS_OUTCOME_DONE;
 }
 
-static vs_outcome run_bundles(job_record *r, const volatile sig_atomic_t *ended) {
+static vs_outcome run_bundles(job_record *r, const cli_options *o, const volatile sig_atomic_t *ended) {
   int code;
+  size_t first = r->packed ? 0 : 1;
   if (!job_record_write(r)) return VS_OUTCOME_USAGE;
   if (!measure(r, ended, &code)) return (vs_outcome)code;
-  if (!job_bundles_make(r, NULL, 1) || !job_scripts_write(r) || !job_record_write(r)) return VS_OUTCOME_USAGE;
+  if (r->packed && is_metered(o)) {
+    if (!bundle_first(r)) return VS_OUTCOME_USAGE;
+    if (run_parallel(r, ended) == VS_OUTCOME_INTERRUPTED) return VS_OUTCOME_INTERRUPTED;
+    first = 1;
+  }
+  if (!job_bundles_make(r, NULL, first) || !job_scripts_write(r) || !job_record_write(r)) return VS_OUTCOME_USAGE;
   vs_outcome outcome = run_parallel(r, ended);
   return outcome == VS_OUTCOME_DONE ? job_join(r, ended) : outcome;
 }
@@ -226,8 +243,10 @@ vs_outcome cli_cluster_command(const cli_options *o, const volatile sig_atomic_t
   if (lock >= 0 && !is_submitted(folder, ended) && job_states(&r, &states)) {
     r.parts = states.count;
     free(states.at);
-    if (job_is_on_slurm(&r)) outcome = submit(&r, o, ended);
-    else outcome = is_parallel(&r) ? run_bundles(&r, ended) : run_here(&r, o, here);
+    job_record_forget_nodes(&r);
+    if (r.packed && !(job_pack_make(&r, o, here) && job_pack_scripts(&r))) outcome = VS_OUTCOME_USAGE;
+    else if (job_is_on_slurm(&r)) outcome = submit(&r, o, ended);
+    else outcome = is_parallel(&r) ? run_bundles(&r, o, ended) : run_here(&r, o, here);
   }
   if (lock >= 0) close(lock);
   job_record_free(&r);

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/cluster/job_pack.h"
 #include "model/store/array.h"
 
 enum { MOST = 1000 /* bundles; Slurm's arrays have 1001 tasks unless a cluster says otherwise */ };
@@ -47,11 +48,14 @@ bool job_bundles_make(job_record *r, const cli_part_state *states, size_t first)
 
 /* ---- words ---- */
 
+/* A node with the pack may lack the record's program. */
+static const char *program_of(const job_record *r) { return job_is_unpacked() ? "/proc/self/exe" : r->program; }
+
 const char **job_words_of(const job_record *r, const char *range) {
   size_t n = 0;
   const char **w;
   if (!VS_FRESH(w, r->part_count + 8)) return fputs("vs: out of memory\n", stderr), NULL;
-  w[n++] = r->program, w[n++] = r->command, w[n++] = "--only", w[n++] = range, w[n++] = "--keep-going";
+  w[n++] = program_of(r), w[n++] = r->command, w[n++] = "--only", w[n++] = range, w[n++] = "--keep-going";
   if (r->quiet) w[n++] = "-q";
   for (size_t i = 0; i < r->part_count; i++) w[n++] = r->part[i];
   w[n] = NULL;
@@ -62,7 +66,7 @@ const char **job_words_of_all(const job_record *r, const char *option, const cha
   size_t n = 0;
   const char **w;
   if (!VS_FRESH(w, r->whole_count + 8)) return fputs("vs: out of memory\n", stderr), NULL;
-  w[n++] = r->program, w[n++] = r->command, w[n++] = option;
+  w[n++] = program_of(r), w[n++] = r->command, w[n++] = option;
   if (value) w[n++] = value, w[n++] = "--keep-failed";
   if (r->quiet) w[n++] = "-q";
   for (size_t i = 0; i < r->whole_count; i++) w[n++] = r->whole[i];
@@ -72,13 +76,34 @@ const char **job_words_of_all(const job_record *r, const char *option, const cha
 
 /* ---- scripts ---- */
 
-/* Writes the word as a shell reads it. */
-static void put_quoted(FILE *to, const char *word) {
-  fputs(" '", to);
+void job_put_quoted(FILE *to, const char *word) {
+  fputc('\'', to);
   for (; *word; word++)
     if (*word == '\'') fputs("'\\''", to);
     else fputc(*word, to);
   fputc('\'', to);
+}
+
+static void put_quoted(FILE *to, const char *word) { fputc(' ', to), job_put_quoted(to, word); }
+
+void job_put_unpack(FILE *to, const job_record *r) {
+  char path[JOB_PATH_ROOM];
+  if (!job_record_real_path(r, "unpack.sh", path)) return;
+  fputc('.', to), put_quoted(to, path), fputc('\n', to);
+}
+
+/* Begins a script: moves to the folder of the command, or to the node's copy of it. */
+static void put_folder(FILE *to, const job_record *r) {
+  if (r->packed) {
+    job_put_unpack(to, r);
+    return;
+  }
+  fputs("cd", to), put_quoted(to, r->directory), fputs(" || exit 4\n", to);
+}
+
+static void put_program(FILE *to, const job_record *r) {
+  if (r->packed) fputs("\"$vs\"", to);
+  else job_put_quoted(to, r->program);
 }
 
 /* A run that Slurm has started again keeps failures of the model, which would come again. The script records a node on
@@ -87,10 +112,10 @@ static void put_bundles(FILE *to, const job_record *r) {
   fprintf(to, "#!/bin/sh\n# Written by vs: makes the parts of one bundle.\ncase ${1:-$SLURM_ARRAY_TASK_ID} in\n");
   for (size_t i = 0; i < r->bundle_count; i++)
     fprintf(to, "%zu) only=%ld..%ld ;;\n", i + 1, r->bundles[i].from, r->bundles[i].to);
-  fputs("esac\nagain=\n[ \"${SLURM_RESTART_COUNT:-0}\" = 0 ] || again=--keep-failed\ncd", to);
-  put_quoted(to, r->directory);
-  fputs(" || exit 4\n", to);
-  put_quoted(to, r->program);
+  fputs("esac\nagain=\n[ \"${SLURM_RESTART_COUNT:-0}\" = 0 ] || again=--keep-failed\n", to);
+  put_folder(to, r);
+  if (r->packed) fputs("check_node\nplace\n", to);
+  put_program(to, r);
   size_t cpus = r->cpus ? r->cpus : 1;
   bool sweeps = !strcmp(r->command, "sweep");
   fprintf(to, " %s --only \"$only\" --keep-going $again --jobs %zu --threads %zu", r->command, sweeps ? cpus : 1,
@@ -99,20 +124,23 @@ static void put_bundles(FILE *to, const job_record *r) {
   char path[JOB_PATH_ROOM];
   job_record_path(r, JOB_NODES, path);
   fputs("\ncode=$?\ncase $code in\n2|3) [ -z \"${SLURMD_NODENAME:-}\" ] || echo \"$SLURMD_NODENAME\" >>", to);
-  put_quoted(to, path);
+  if (r->packed) fputs(" \"$jobs/" JOB_NODES "\"", to);
+  else put_quoted(to, path);
   fputs(" ;;\nesac\nexit $code\n", to);
 }
 
 static void put_join(FILE *to, const job_record *r) {
-  fputs("#!/bin/sh\n# Written by vs: joins all parts.\ncd", to);
-  put_quoted(to, r->directory);
-  fputs(" || exit 4\nexec", to);
-  put_quoted(to, r->program);
+  fputs("#!/bin/sh\n# Written by vs: joins all parts.\n", to);
+  put_folder(to, r);
+  if (r->packed) fputs("place\n", to); /* without exec: the shell removes the node's copy at the end */
+  else fputs("exec ", to);
+  put_program(to, r);
   fputs(" jobs join", to);
   put_quoted(to, r->folder);
   fputc('\n', to);
 }
 
 bool job_scripts_write(const job_record *r) {
+  if (r->packed && !job_pack_scripts(r)) return false;
   return job_record_put(r, "bundles.sh", put_bundles) && job_record_put(r, "join.sh", put_join);
 }

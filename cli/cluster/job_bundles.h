@@ -15,6 +15,11 @@ bool job_bundles_make(job_record *r, const cli_part_state *states, size_t first)
  * after a message. */
 bool job_scripts_write(const job_record *r);
 
+/* Writes the word as a shell reads it, without a blank before it. */
+void job_put_quoted(FILE *to, const char *word);
+/* Writes the line by which a script of a packed batch begins: the node's own copy of the model. */
+void job_put_unpack(FILE *to, const job_record *r);
+
 /* The words of a `vs` that makes the parts of the range, for job_run; the caller frees them. */
 const char **job_words_of(const job_record *r, const char *range);
 /* The words of a `vs` that joins all parts, or with `again` of one that makes all parts, with this last option. */

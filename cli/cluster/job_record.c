@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "cli/batch/whole_file.h"
+#include "cli/cluster/job_pack.h"
 #include "cli/json.h"
 #include "cli/json_data.h"
 
@@ -40,7 +41,8 @@ bool job_record_own(job_record *r) {
 bool job_record_make(job_record *r, const cli_options *o, const char *folder) {
   char program[JOB_PATH_ROOM], *here = getcwd(NULL, 0);
   ssize_t length = readlink("/proc/self/exe", program, sizeof program - 1);
-  *r = (job_record){.cpus = o->cluster.cpus, .bundle = o->cluster.bundle, .retries = o->retries, .quiet = o->quiet};
+  *r = (job_record){.cpus = o->cluster.cpus, .bundle = o->cluster.bundle, .retries = o->retries, .quiet = o->quiet,
+                      .packed = o->cluster.pack};
   snprintf(r->folder, sizeof r->folder, "%s", folder);
   if (length <= 0 || !here) return free(here), fputs("vs: the path of the vs program cannot be found\n", stderr) < 0;
   program[length] = 0;
@@ -60,14 +62,31 @@ bool job_is_on_slurm(const job_record *r) { return !strncmp(r->on, "slurm", 5); 
 
 void job_record_free(job_record *r) { sweep_memory_free(&r->memory); }
 
+bool job_is_unpacked(void) { return getenv(JOB_PACKED) != NULL; }
+
 bool job_record_enter(job_record *r) {
-  if (chdir(r->directory) != 0) return fprintf(stderr, "vs: %s: %s\n", r->directory, strerror(errno)), false;
+  if (!job_is_unpacked() && chdir(r->directory) != 0)
+    return fprintf(stderr, "vs: %s: %s\n", r->directory, strerror(errno)), false;
   snprintf(r->folder, sizeof r->folder, "%s", r->results);
   return true;
 }
 
 void job_record_path(const job_record *r, const char *name, char path[JOB_PATH_ROOM]) {
   snprintf(path, JOB_PATH_ROOM, "%s/jobs/%s", r->folder, name);
+}
+
+bool job_record_real_path(const job_record *r, const char *name, char path[JOB_PATH_ROOM]) {
+  char *folder = realpath(r->folder, NULL);
+  bool ok = folder && snprintf(path, JOB_PATH_ROOM, "%s/jobs/%s", folder, name) < JOB_PATH_ROOM;
+  if (!ok) fprintf(stderr, "vs: %s: %s\n", r->folder, folder ? "the name is too long" : strerror(errno));
+  free(folder);
+  return ok;
+}
+
+void job_record_forget_nodes(const job_record *r) {
+  char path[JOB_PATH_ROOM];
+  job_record_path(r, JOB_NODES, path), remove(path);
+  job_record_path(r, JOB_REFUSED, path), remove(path);
 }
 
 /* ---- writing ---- */
@@ -95,7 +114,8 @@ static void put_record(FILE *to, const job_record *r) {
           ",\n \"process\": %ld, \"cpus\": %zu, \"bundle\": %zu, \"parts\": %zu, \"attempt\": %zu, \"retries\": %zu",
           r->process, r->cpus, r->bundle, r->parts, r->attempt, r->retries);
   fputs(",\n \"seconds\": ", to), cli_json_number(to, r->seconds);
-  fprintf(to, ", \"joined\": %s, \"code\": %d,\n \"bundles\": [", r->joined ? "true" : "false", r->code);
+  fprintf(to, ", \"packed\": %s, \"joined\": %s, \"code\": %d,\n \"bundles\": [", r->packed ? "true" : "false",
+          r->joined ? "true" : "false", r->code);
   for (size_t i = 0; i < r->bundle_count; i++)
     fprintf(to, "%s[%ld, %ld]", i ? ", " : "", r->bundles[i].from, r->bundles[i].to);
   fputs("]}\n", to);
@@ -154,6 +174,7 @@ static bool take_record(job_record *r, const cli_data_reader *d, cli_data t) {
   r->cpus = size_at(d, t, "cpus"), r->bundle = size_at(d, t, "bundle"), r->parts = size_at(d, t, "parts");
   r->attempt = size_at(d, t, "attempt"), r->retries = size_at(d, t, "retries");
   r->seconds = cli_data_real(d, t, "seconds", 0);
+  r->packed = cli_data_true(d, t, "packed");
   r->joined = cli_data_true(d, t, "joined"), r->code = (int)cli_data_number(d, t, "code", 0);
   return r->whole && r->part && read_bundles(r, d, cli_data_at(d, t, "bundles")) && *r->on && *r->command &&
          r->process > 0; /* kill reads 0 and numbers below it as many processes */

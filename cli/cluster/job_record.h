@@ -30,6 +30,7 @@ typedef struct {
   size_t parts;               /* number of all parts */
   size_t attempt, retries;    /* attempt: number of the submission from 0; retries: greatest number of repeats */
   bool joined; int code;      /* joined: whether the join has ended, with this exit code */
+  bool packed;                /* --pack: whether nodes make the parts from jobs/pack */
   bool quiet;                 /* whether this process prints errors alone; not in the file */
 } job_record;
 
@@ -46,13 +47,19 @@ void job_record_free(job_record *r);
  * message. */
 bool job_record_enter(job_record *r);
 
+/* Returns true if this process runs in a node's own folder, to which the pack was copied. */
+bool job_is_unpacked(void);
 /* Returns true if the parts are jobs of Slurm. */
 bool job_is_on_slurm(const job_record *r);
 
 /* The file for names of nodes on which a worker or a disk has failed. */
 #define JOB_NODES "failed-nodes"
+/* Removes the lists of nodes that have failed or were refused. */
+void job_record_forget_nodes(const job_record *r);
 /* Writes the path of a file of the batch, such as bundles.sh, into path. */
 void job_record_path(const job_record *r, const char *name, char path[JOB_PATH_ROOM]);
+/* Writes its path as nodes see it, from the root and without symbolic links, or returns false after a message. */
+bool job_record_real_path(const job_record *r, const char *name, char path[JOB_PATH_ROOM]);
 /* Writes a file of the batch by calling `put`, whole or not at all. Returns false after a message. */
 bool job_record_put(const job_record *r, const char *name, void (*put)(FILE *to, const job_record *r));
 /* Locks the folder's jobs for this process. Returns a descriptor, whose end unlocks them; -1 after a message. */

@@ -12,6 +12,7 @@
 #include "cli/batch/part_states.h"
 #include "cli/cluster/cluster_command.h"
 #include "cli/cluster/job_bundles.h"
+#include "cli/cluster/job_pack.h"
 #include "cli/cluster/job_process.h"
 #include "cli/cluster/slurm.h"
 #include "cli/json.h"
@@ -78,6 +79,21 @@ static void show_time(double seconds) {
   else printf(", about %.1f h left", seconds / 3600);
 }
 
+/* Shows each node whose sample part has other bytes, or that cannot unpack the model, with the reason. */
+static void show_refused(const job_record *r) {
+  char path[JOB_PATH_ROOM], *line = NULL, *all = NULL;
+  size_t room = 0, size = 0;
+  job_record_path(r, JOB_REFUSED, path);
+  FILE *f = r->packed ? fopen(path, "rb") : NULL, *seen = f ? open_memstream(&all, &size) : NULL;
+  while (seen && getline(&line, &room, f) > 0) {
+    bool again = fflush(seen) == 0 && strstr(all, line) != NULL;
+    if (!again) printf("  refused: %s", line), fputs(line, seen);
+  }
+  if (seen) fclose(seen);
+  if (f) fclose(f);
+  free(line), free(all);
+}
+
 static void show(const char *folder, const batch *b) {
   const job_record *r = &b->record;
   printf("%s: vs %s --on %s: %zu of %zu parts done", folder, r->command, r->on, b->done, b->states.count);
@@ -90,6 +106,7 @@ static void show(const char *folder, const batch *b) {
   else if (!b->live && r->joined) printf(", ended with exit code %d", r->code);
   else if (!b->live) printf(", not joined: vs jobs join %s", folder);
   putchar('\n');
+  show_refused(r);
   fflush(stdout);
 }
 
@@ -143,9 +160,7 @@ static vs_outcome retry(run *w, const char *folder, batch *b) {
   r->attempt = 0;
   if (job_is_on_slurm(r)) {
     int lock = job_record_lock(r);
-    char path[JOB_PATH_ROOM];
-    job_record_path(r, JOB_NODES, path);
-    if (lock >= 0) remove(path);
+    if (lock >= 0) job_record_forget_nodes(r);
     bool ok = lock >= 0 && job_submit_rest(r, w->ended);
     if (lock >= 0) close(lock);
     return ok ? VS_OUTCOME_DONE : VS_OUTCOME_USAGE;

@@ -30,11 +30,13 @@ static bool missing(const char *program) {
 
 /* Submits a script. Returns the number of the job, which lives as long as the record, or NULL after a message. */
 static const char *submit(job_record *r, call *c, const char *script, const volatile sig_atomic_t *ended) {
-  char path[JOB_PATH_ROOM], *said = NULL;
+  char path[JOB_PATH_ROOM], work[JOB_PATH_ROOM], *said = NULL;
+  if (!job_record_real_path(r, "", work)) return NULL;
   const char *partition = strchr(r->on, ':'), *id = NULL;
   job_record_path(r, script, path);
   if (partition) put(c, "--partition=", partition + 1);
-  put(c, "--chdir=", r->directory), put(c, "--open-mode=", "append"), put(c, "", "--requeue"), put(c, "", path);
+  put(c, "--chdir=", r->packed ? work : r->directory), put(c, "--open-mode=", "append");
+  put(c, "", "--requeue"), put(c, "", path);
   int code = job_run(c->words, ended, &said, NULL);
   if (code == JOB_NO_PROGRAM) missing("sbatch");
   else if (code != 0 || !said || !strspn(said, "0123456789"))
@@ -51,6 +53,13 @@ static void begin(call *c, const job_record *r, const char *what) {
   char name[256];
   snprintf(name, sizeof name, "vs-%s-%.200s", what, slash ? slash + 1 : r->folder);
   put(c, "--job-name=", name);
+}
+
+/* Names the file for the output of a job. A packed job runs in the folder of these files. */
+static void put_log(call *c, const job_record *r, const char *name) {
+  char path[JOB_PATH_ROOM];
+  job_record_path(r, name, path);
+  put(c, "--output=", r->packed ? name : path);
 }
 
 static void put_limits(call *c, const job_record *r) {
@@ -87,11 +96,11 @@ static void list_nodes(const job_record *r, char *names, size_t room) {
 
 /* Submits the bundles; not to the nodes in `avoid`, a list of names. Sets r->array. */
 static bool submit_bundles(job_record *r, call *c, const char *avoid, const volatile sig_atomic_t *ended) {
-  char array[64], path[JOB_PATH_ROOM];
+  char array[64];
   begin(c, r, "parts"), put_limits(c, r);
   snprintf(array, sizeof array, "1-%zu", r->bundle_count);
   put(c, "--array=", array);
-  job_record_path(r, "bundle-%a.log", path), put(c, "--output=", path);
+  put_log(c, r, "bundle-%a.log");
   if (*r->first) put(c, "--dependency=afterok:", r->first), put(c, "", "--kill-on-invalid-dep=yes");
   if (*avoid) put(c, "--exclude=", avoid);
   const char *id = submit(r, c, "bundles.sh", ended);
@@ -100,7 +109,7 @@ static bool submit_bundles(job_record *r, call *c, const char *avoid, const vola
 }
 
 bool slurm_submit(job_record *r, const volatile sig_atomic_t *ended) {
-  char avoid[JOB_PATH_ROOM], path[JOB_PATH_ROOM], minutes[24];
+  char avoid[JOB_PATH_ROOM], minutes[24];
   call *c = vs_zeros(1, sizeof *c);
   if (!c) return sweep_no_memory();
   r->array = r->join = "";
@@ -113,7 +122,7 @@ bool slurm_submit(job_record *r, const volatile sig_atomic_t *ended) {
   if (ok) {
     begin(c, r, "join");
     snprintf(minutes, sizeof minutes, "%zu", 30 + r->parts / 20);
-    job_record_path(r, "join.log", path), put(c, "--time=", minutes), put(c, "--output=", path);
+    put(c, "--time=", minutes), put_log(c, r, "join.log");
     if (*r->array) put(c, "--dependency=afterany:", r->array);
     const char *id = submit(r, c, "join.sh", ended);
     if (!id) cancel(r->array, ended);
@@ -125,11 +134,10 @@ bool slurm_submit(job_record *r, const volatile sig_atomic_t *ended) {
 }
 
 bool slurm_submit_first(job_record *r, const volatile sig_atomic_t *ended) {
-  char path[JOB_PATH_ROOM];
   call *c = vs_zeros(1, sizeof *c);
   if (!c) return sweep_no_memory();
   begin(c, r, "expose"), put_limits(c, r), put(c, "--array=", "1");
-  job_record_path(r, "first.log", path), put(c, "--output=", path);
+  put_log(c, r, "first.log");
   const char *id = submit(r, c, "bundles.sh", ended);
   free(c);
   r->first = id ? id : "";

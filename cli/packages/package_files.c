@@ -96,41 +96,54 @@ typedef struct { dynamic_functions f; struct sha256_ctx state; } hashing;
 
 static void add(hashing *h, const char *text, size_t length) { h->f.update(&h->state, length, (const uint8_t *)text); }
 
-/* Adds the length of the name, the name, the length of the file and the file, so that no two folders have one text. */
-static bool hash_one(void *context, const char *path, const char *name, bool folder, char why[PACKAGE_WHY]) {
-  hashing *h = context;
-  char piece[PIECE], head[80];
-  struct stat is;
-  if (folder) return true;
+static bool add_contents(hashing *h, const char *path, char why[PACKAGE_WHY]) {
+  char piece[PIECE];
   FILE *in = fopen(path, "rb");
-  if (!in || fstat(fileno(in), &is) != 0) {
-    fail(why, path, strerror(errno));
-    if (in) fclose(in);
-    return false;
-  }
-  int n = snprintf(head, sizeof head, "%zu %lld ", strlen(name), (long long)is.st_size);
-  add(h, head, (size_t)n);
-  add(h, name, strlen(name));
+  if (!in) return fail(why, path, strerror(errno));
   for (size_t got; (got = fread(piece, 1, sizeof piece, in)) > 0;) add(h, piece, got);
   bool ok = !ferror(in);
   fclose(in);
   return ok || fail(why, path, "cannot be read");
 }
 
+/* Adds the length of the name, the name, the length of the file and the file, so that no two folders have one text. */
+static bool hash_one(void *context, const char *path, const char *name, bool folder, char why[PACKAGE_WHY]) {
+  hashing *h = context;
+  char head[80];
+  struct stat is;
+  if (folder) return true;
+  if (stat(path, &is) != 0) return fail(why, path, strerror(errno));
+  int n = snprintf(head, sizeof head, "%zu %lld ", strlen(name), (long long)is.st_size);
+  add(h, head, (size_t)n);
+  add(h, name, strlen(name));
+  return add_contents(h, path, why);
+}
+
+static bool begin(hashing *h, char why[PACKAGE_WHY]) {
+  vs_error e = { 0 };
+  bool ok = vs_dynamic_load(VS_LIBRARY_NETTLE, "packages", dynamic_names, sizeof dynamic_names / sizeof *dynamic_names,
+                            &h->f, &e);
+  if (ok) h->f.init(&h->state);
+  else snprintf(why, PACKAGE_WHY, "%.250s", e.message);
+  return ok;
+}
+
+static void end(hashing *h, char hash[PACKAGE_HASH]) {
+  uint8_t bytes[32];
+  h->f.digest(&h->state, sizeof bytes, bytes);
+  for (size_t i = 0; i < sizeof bytes; i++) snprintf(hash + 2 * i, 3, "%02x", bytes[i]);
+}
+
 bool package_hash(const char *folder, char hash[PACKAGE_HASH], char why[PACKAGE_WHY]) {
   hashing h;
-  vs_error e = { 0 };
-  uint8_t bytes[32];
-  if (!vs_dynamic_load(VS_LIBRARY_NETTLE, "packages", dynamic_names, sizeof dynamic_names / sizeof *dynamic_names, &h.f,
-                       &e)) {
-    snprintf(why, PACKAGE_WHY, "%.250s", e.message);
-    return false;
-  }
-  h.f.init(&h.state);
-  if (!walk(folder, false, hash_one, &h, why)) return false;
-  h.f.digest(&h.state, sizeof bytes, bytes);
-  for (size_t i = 0; i < sizeof bytes; i++) snprintf(hash + 2 * i, 3, "%02x", bytes[i]);
-  return true;
+  if (!begin(&h, why) || !walk(folder, false, hash_one, &h, why)) return false;
+  return end(&h, hash), true;
+}
+
+bool package_file_hash(const char *path, char hash[PACKAGE_HASH], char why[PACKAGE_WHY]) {
+  hashing h;
+  if (!begin(&h, why) || !add_contents(&h, path, why)) return false;
+  return end(&h, hash), true;
 }
 
 /* ---- removing ---- */

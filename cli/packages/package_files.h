@@ -12,6 +12,8 @@ enum { PACKAGE_HASH = 65, PACKAGE_WHY = 300 };
 bool package_copy(const char *from, const char *to, char why[PACKAGE_WHY]);
 /* Sets hash to the SHA-256 of the names and contents of all files, in hexadecimal digits. */
 bool package_hash(const char *folder, char hash[PACKAGE_HASH], char why[PACKAGE_WHY]);
+/* Sets hash to the SHA-256 of the contents of one file, as sha256sum prints it. */
+bool package_file_hash(const char *path, char hash[PACKAGE_HASH], char why[PACKAGE_WHY]);
 bool package_remove(const char *folder); /* removes the folder with its files, if there is one */
 
 #endif

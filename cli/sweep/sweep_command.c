@@ -439,6 +439,8 @@ static bool try_parts(sweep *w) {
 static vs_outcome run_sweep(sweep *w) {
   const sweep_plan *p = &w->plan;
   bool complete;
+  w->trying = w->options->trying;
+  if (w->trying) return run_all(w), VS_OUTCOME_DONE;
   if (!may_write_all(w)) return VS_OUTCOME_USAGE;
   if (p->folder && !(w->manifest = sweep_manifest_open(&w->plan.table, p->folder, p->only))) return VS_OUTCOME_USAGE;
   if (p->folder && !try_parts(w)) return sweep_manifest_abandon(w->manifest), VS_OUTCOME_USAGE;

@@ -32,6 +32,14 @@ static bool tiles_fit(cli_options *o) {
   return fprintf(stderr, "vs: --only %s: expected numbers of tiles, at most 1..%ld\n", o->only, all), false;
 }
 
+/* Returns true if the models and the outputs are seen from a copy of the present folder. */
+static bool packs(const cli_options *o) {
+  bool ok = o->target_count > 0;
+  for (size_t i = 0; i < o->source_count; i++) ok = ok && o->sources[i].text[0] != '/';
+  for (size_t i = 0; i < o->target_count; i++) ok = ok && o->targets[i].path[0] != '/';
+  return ok;
+}
+
 /* Returns true if the options about bundles and joining are given to a command that has them. Otherwise prints a
  * message. */
 static bool cluster_fits(const cli_options *o) {
@@ -43,6 +51,8 @@ static bool cluster_fits(const cli_options *o) {
     wrong = "--on, --join, --retries, --keep-going and --keep-failed are for vs render and vs sweep";
   else if (!c->on && (c->time || c->memory || c->cpus || c->bundle))
     wrong = "--time, --memory, --cpus and --bundle need --on slurm";
+  else if (c->pack && (!c->on || !strcmp(c->on, "local"))) wrong = "--pack is for --on parallel and --on slurm";
+  else if (c->pack && !packs(o)) wrong = "with --pack, name the model and the folder of -o by paths from here";
   else if (c->on && (o->only || o->join || o->manifest)) wrong = "give --on without --only, --join and --manifest";
   else if (c->on && o->command == CLI_COMMAND_render && (!*path || path[strlen(path) - 1] != '/'))
     wrong = "--on needs a folder for the pictures that ends in a slash, as in -o film/";

@@ -10,7 +10,7 @@ for program in slurmctld slurmd sbatch munged; do
 done
 cd "$work" || exit 1
 host=$(hostname -s) net=10.213.$(($$ % 250)) bridge=vsb$(($$ % 100000)) spaces=
-mkdir -m 700 munge && mkdir run state spool tmp && chmod 755 "$work"
+mkdir -m 700 munge && mkdir run state spool tmp hidden && chmod 755 "$work"
 dd if=/dev/urandom of=munge/key bs=128 count=1 2> /dev/null; chmod 600 munge/key
 
 # ---- the cluster ----
@@ -69,6 +69,8 @@ start_node() {
     until ip link set eth0 up 2> /dev/null; do sleep .05; done
     ip addr add '"$(address "$1")"'/24 dev eth0; ip link set lo up
     [ '"$1"' != 3 ] || [ ! -f '"$work"'/small ] || { mount -t tmpfs -o size=4k full '"$work"'/tmp && cp /bin/sh '"$work"'/tmp/ 2> /dev/null; }
+    mount -t tmpfs -o size=4k hidden '"$work"'/hidden
+    [ '"$1"' != 2 ] || : > '"$work"'/hidden/other
     exec slurmd -D -N n'"$1" > /dev/null 2>&1 &
   echo $! > "run/node$1"
   for i in $(seq 100); do inside=$(ps -o pid= --ppid "$!" | tr -d ' '); [ "$inside" ] && break; sleep .05; done
@@ -122,6 +124,37 @@ touch go; "$vs" jobs | grep -q '1 of 6 parts done, 5 left: vs jobs retry slow' |
 [ "$(ls slow/*.stl | wc -l)" = 6 ] && [ "$(grep -c done slow/results.csv)" = 6 ] || { ls slow; cat slow/jobs/*.log; } >> why
 result cluster:cancel why
 [ "$LONG" ] || exit 0
+
+# ---- nodes that do not see the folder of the model, nor that of vs; node n2 makes other bytes ----
+
+: > why
+if [ "$spaces" ]; then
+  mkdir -p hidden/model/parts hidden/bin shared && cp "$vs" hidden/bin/vs
+  echo '(define a 1)' > hidden/model/parts/a.vs
+  cat > hidden/model/house.vs << MODEL
+(define-parameter n 1)
+(load "parts/a.vs")
+(define other (if (file-exists? "$work/hidden/other") 1 0))
+(report "volume" n)
+(draw (make-box origin (xyz n a (+ 1 other))))
+MODEL
+  packed() { (cd hidden/model && ../bin/vs sweep house.vs --set n=1..12:1 --format stl "$@"); }
+  packed -q -o ../../plain-packed/
+  packed -o ../../shared/out/ --on slurm --bundle 2 --pack > said 2>> why || { echo "the submission ended with $?"; cat said; } >> why
+  limited 300 "$vs" jobs wait -q shared/out || { echo "the packed batch ended with $?"; tail -n 5 shared/out/jobs/*.log; } >> why
+  for f in plain-packed/*.stl; do cmp "$f" "shared/out/${f#plain-packed/}"; done >> why 2>&1
+  "$vs" jobs shared/out | grep -q 'refused: n2: its sample part has the hash' || { echo 'node n2 is not refused:'; "$vs" jobs shared/out; } >> why
+  grep -qx n1 shared/out/jobs/pack/same && grep -qx n3 shared/out/jobs/pack/same || { echo 'the nodes that agree:'; cat shared/out/jobs/pack/same; } >> why
+  packed -o ../../shared/out/ 2>&1 | grep -q '12 up to date' || echo 'the packed parts are not up to date' >> why
+  echo '(define-parameter t 0) (load "parts/a.vs") (draw (make-box origin (xyz 1 a (+ 1 (/ t 100)))))' > hidden/model/film.vs
+  film() { (cd hidden/model && ../bin/vs render film.vs --frames 6,t=1..6 --size 8x6 --quality draft "$@"); }
+  film -q -o ../../plain-film/
+  film -q -o ../../shared/film/ --on slurm --bundle 2 --pack 2>> why; limited 300 "$vs" jobs wait -q shared/film || { echo "the packed film ended with $?"; tail -n 5 shared/film/jobs/*.log; } >> why
+  for f in plain-film/*.png; do cmp "$f" "shared/film/${f#plain-film/}"; done >> why 2>&1
+  film -o ../../shared/film/ | grep -c 'up to date' | grep -q '^6$' || echo 'the packed frames are not up to date' >> why
+  ls "${TMPDIR:-/tmp}" | grep vs-pack- >> why
+  result cluster:pack why
+else echo "skip cluster:pack: no namespaces of networks and processes here"; fi
 
 # ---- 200 frames: node n2 dies, the disk of n3 is full, the controller restarts, frame 50 always fails ----
 
