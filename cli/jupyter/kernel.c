@@ -4,6 +4,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "cli/jupyter/kernel_wire.h"
 #include "cli/prompt/source_text.h"
@@ -15,6 +16,7 @@ typedef struct {
   const cli_options *options;
   const volatile sig_atomic_t *interrupts;
   sig_atomic_t seen;          /* interrupts before the running cell */
+  pid_t parent;               /* the process that started the kernel and ends it, or 0 */
   const wire_message *cell;   /* the message that is being answered, or NULL */
   unsigned count;             /* number of the cell */
   char *value;                /* the last value of the cell, which is its result */
@@ -104,9 +106,12 @@ static void diagnose(void *context, const vs_diagnostic *d) {
   free(c.text);
 }
 
+/* Returns true if Jupyter has ended without a word, so that nobody can end the kernel. */
+static bool is_orphan(const kernel *k) { return k->parent && getppid() != k->parent; }
+
 static bool is_interrupted(void *context) {
   const kernel *k = context;
-  return *k->interrupts != k->seen;
+  return *k->interrupts != k->seen || is_orphan(k);
 }
 
 /* ---- cells ---- */
@@ -330,6 +335,8 @@ static void handle(kernel *k, const wire_message *m) {
 vs_outcome kernel_run(const cli_options *o, const char *connection_file, const volatile sig_atomic_t *interrupts,
                       const volatile sig_atomic_t *ended) {
   kernel k = { .options = o, .interrupts = interrupts };
+  const char *owner = getenv("JPY_PARENT_PID"); /* set by Jupyter, if the kernel is to end with it */
+  if (owner && strtol(owner, NULL, 10) == (long)getppid()) k.parent = getppid();
   bool missing = false;
   if (!wire_open(&k.wire, connection_file, &missing)) {
     wire_close(&k.wire);
@@ -340,7 +347,7 @@ vs_outcome kernel_run(const cli_options *o, const char *connection_file, const v
                                 .poll = is_interrupted };
   k.scheme = vs_new(&interpreter);
   if (!k.scheme) fputs("vs: out of memory\n", stderr);
-  while (k.scheme && !k.over && !*ended) {
+  while (k.scheme && !k.over && !*ended && !is_orphan(&k)) {
     wire_message m;
     if (!wire_receive(&k.wire, &m, 500)) continue;
     handle(&k, &m);

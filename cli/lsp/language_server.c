@@ -5,6 +5,7 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "cli/lsp/lsp_actions.h"
 #include "cli/lsp/lsp_colours.h"
@@ -29,7 +30,7 @@ static bool receive(server *v, size_t *length) {
   char line[1000];
   long long size = -1;
   while (fgets(line, sizeof line, stdin) && *line != '\r' && *line != '\n')
-    if (!strncmp(line, "Content-Length:", 15)) size = strtoll(line + 15, NULL, 10);
+    if (!strncasecmp(line, "Content-Length:", 15)) size = strtoll(line + 15, NULL, 10);
   if (size < 0 || feof(stdin) || size > MOST_BYTES || !VS_GROW(v->body, v->room, (size_t)size + 1)) return false;
   *length = fread(v->body, 1, (size_t)size, stdin);
   v->body[*length] = 0;

@@ -111,18 +111,21 @@ static bool take_said(mcp_command *c, int from) {
   return n > 0;
 }
 
-/* Reads the command's output until it ends. Returns 0, or the reason to end the process. */
+/* Reads the command's output until it ends. Returns 0, or the reason to end the process. An end of the input ends no
+ * command: its answer may still have a reader. */
 static int listen_to(mcp_process *p, mcp_command *c, int from) {
   double end = now() + MOST_SECONDS;
   if (is_cancelled(p)) return MCP_CANCELLED; /* the notice came with the request */
   while (true) {
-    struct pollfd ready[2] = { { .fd = from, .events = POLLIN }, { .fd = STDIN_FILENO, .events = POLLIN } };
+    struct pollfd ready[3] = { { .fd = from, .events = POLLIN }, { .fd = STDOUT_FILENO },
+                               { .fd = STDIN_FILENO, .events = POLLIN } };
     double left = end - now();
     if (left <= 0 || *p->interrupts) return left <= 0 ? MCP_TOO_LONG : MCP_CANCELLED;
-    int found = poll(ready, p->ended ? 1 : 2, (int)(1000 * left) + 1);
+    int found = poll(ready, p->ended ? 2 : 3, (int)(1000 * left) + 1);
     if (found <= 0) continue;
     if (ready[0].revents && !take_said(c, from)) return 0;
-    if (p->ended || !ready[1].revents) continue;
+    if (ready[1].revents & POLLERR) return MCP_CANCELLED; /* nobody reads the answer */
+    if (p->ended || !ready[2].revents) continue;
     take_input(p);
     if (is_cancelled(p)) return MCP_CANCELLED;
   }

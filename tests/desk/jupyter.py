@@ -101,7 +101,43 @@ def wrong():
     if r.returncode != 2: reasons.append(f"two files: {r}")
     return reasons
 
-for test in (install, notebook, requests, wrong):
+# Messages that no client sends; a long error in letters of several bytes; Jupyter ends without a word, idle and while a cell runs.
+def hostile():
+    reasons = []
+    manager, client = jupyter_client.manager.start_new_kernel(kernel_name="visualscheme", startup_timeout=30)
+    try:
+        ask = lambda r: client.get_shell_msg(timeout=30)["content"]
+        session, socket = client.session, client.shell_channel.socket
+        parts = session.serialize(session.msg("execute_request", {"code": "1"}))
+        mark = parts.index(b"<IDS|MSG>")
+        for bad in ([], [b"x"], [b"x"] * 100, parts[:mark + 3], parts[:mark + 1] + [b""] + parts[mark + 2:], parts[:mark + 1] + [b"\xff" * 64] + parts[mark + 2:], parts[mark + 1:], parts[:mark] + [b"<IDS|MSG>"] * 9):
+            socket.send_multipart(bad or [b""])
+        def signed(*four): return [b"<IDS|MSG>", session.sign(list(four)), *four]
+        for four in ((b"{", b"{}", b"{}", b"{}"), (b"{}", b"{}", b"{}", b"{}"), (b'{"msg_type":5}', b"{}", b"{}", b"{}"), (b'{"msg_type":"execute_request"}', b"{}", b"{}", b"\xff"), (b'{"msg_type":"execute_request"}', b"{}", b"{}", b"[" * 100000), (b"[]", b"[]", b"[]", b"[]")): socket.send_multipart(signed(*four))
+        for content in ({}, {"code": 5}, {"code": None, "silent": "x"}): session.send(socket, "execute_request", content); ask(0)
+        for content in ({}, {"code": "(make-b", "cursor_pos": -5}, {"code": "(make-b", "cursor_pos": 1 << 40}, {"code": "ü😀", "cursor_pos": 1}):
+            for kind in ("complete_request", "inspect_request", "is_complete_request"): session.send(socket, kind, content); ask(0)
+        for shift in range(4):
+            client.execute(f'(error "{"x" * shift}{"😀" * 400}")')
+            if ask(0)["status"] != "error": reasons.append("a long error")
+        client.execute("(+ 1 1)")
+        if ask(0)["status"] != "ok": reasons.append("the kernel is lost")
+        manager.shutdown_kernel(now=False)
+    finally:
+        client.stop_channels()
+        if manager.is_alive(): manager.shutdown_kernel(now=True)
+    for code in ("1", "(let loop () (loop))"):
+        starter = f"import jupyter_client, os, sys, time\nm, c = jupyter_client.manager.start_new_kernel(kernel_name='visualscheme')\nc.execute({code!r})\ntime.sleep(1)\nprint(m.provisioner.pid, flush=True)\nos._exit(0)"
+        pid = int(subprocess.run([sys.executable, "-c", starter], capture_output=True, text=True, timeout=60, check=True).stdout)
+        for _ in range(100):
+            try: gone = pathlib.Path(f"/proc/{pid}/stat").read_text().split(")")[1].split()[0] == "Z"
+            except OSError: gone = True
+            if gone: break
+            time.sleep(0.1)
+        if not gone: reasons.append(f"the kernel goes on without Jupyter after {code}"); os.kill(pid, 9)
+    return reasons
+
+for test in (install, notebook, requests, wrong, hostile):
     name = "desk/jupyter:" + test.__name__
     if only and only not in name: continue
     try: reasons = test()

@@ -397,7 +397,42 @@ def wrong():
     expect(reasons, "a length without end", code(b"Content-Length: 99999999999999999999\r\n\r\n{"), 0)
     return reasons
 
-for test in (answers, findings, actions, colours, lens, speed, edits, wrong):
+# Bytes that no editor sends: headers, lengths, encodings, depths, numbers. The server answers or ends, and never hangs or crashes.
+def hostile():
+    reasons = []
+    def framed(body, head=b"Content-Length: %d\r\n\r\n"): return head % len(body) + body
+    first, ask = framed(b'{"jsonrpc":"2.0","id":1,"method":"initialize"}'), framed(b'{"jsonrpc":"2.0","id":2,"method":"no/method"}')
+    last = framed(b'{"jsonrpc":"2.0","id":3,"method":"shutdown"}') + framed(b'{"jsonrpc":"2.0","method":"exit"}')
+    def open_(text): return framed(b'{"jsonrpc":"2.0","method":"textDocument/didOpen","params":{"textDocument":{"uri":"file:///a.vs","text":' + text + b'}}}')
+    cancel = framed(b'{"jsonrpc":"2.0","method":"$/cancelRequest","params":{"id":2}}')
+    went_on = {"no JSON": framed(b"\x00\x01"), "bad UTF-8": framed(b'{"jsonrpc":"2.0","id":9,"method":"\xff\xfe"}'), "deep JSON": framed(b"[" * 100000), "deep objects": framed(b'{"a":' * 100000 + b"1" + b"}" * 100000),
+        "an empty body": framed(b""), "a number out of range": framed(b'{"id":1e999,"method":"x"}'), "a long whole number": framed(b'{"id":%s,"method":"x"}' % (b"9" * 400)), "no method": framed(b'{"id":{}}'), "an odd method": framed(b'{"id":7,"method":["x"]}'), "NUL": open_(b'"a\\u0000b"'), "half a surrogate": open_(b'"\\ud800"'),
+        "deep text": open_(b'"' + b"(" * 200000 + b'"'), "deep quotes": open_(b'"' + b"'" * 200000 + b'"'), "a long word": open_(b'"' + b"x" * 1000000 + b'"'), "a cancelled request": cancel + cancel, "a text twice": open_(b'"1"') + open_(b'"2"'),
+        "another header": framed(b'{"jsonrpc":"2.0","method":"x"}', b"Content-Type: application/vscode-jsonrpc; charset=utf-8\r\nContent-Length: %d\r\n\r\n"), "a header in small letters": framed(b'{"jsonrpc":"2.0","method":"x"}', b"content-length: %d\r\n\r\n"), "a long header": framed(b'{"jsonrpc":"2.0","method":"x"}', b"X: " + b"y" * 5000 + b"\r\nContent-Length: %d\r\n\r\n")}
+    for what, text in went_on.items():
+        done = subprocess.run([vs, "lsp"], input=first + text + ask + last, capture_output=True, timeout=120)
+        if done.returncode or done.stderr or b'"id":2,"error"' not in done.stdout or b'"id":3,"result"' not in done.stdout: reasons.append(f"{what}: {done.returncode} {done.stdout[-300:]} {done.stderr[-300:]}")
+    for what, text in {"a huge length": b"Content-Length: 99999999999\r\n\r\n{}", "a length below 0": b"Content-Length: -5\r\n\r\n{}", "a length that is no number": b"Content-Length: x\r\n\r\n{}", "no length": b"\r\n\r\n{}", "no header": b"{" * 5000, "zeros": b"\0" * 5000}.items():
+        done = subprocess.run([vs, "lsp"], input=first + text, capture_output=True, timeout=60)
+        if done.returncode not in (0, 2) or (done.returncode == 2) != bool(done.stderr): reasons.append(f"{what}: {done.returncode} {done.stderr[-300:]}")
+    # A file that the text loads is in another encoding: the answers are UTF-8.
+    (work / "old.vs").write_bytes(b"; a wall of M\xfcller\n(define (wall w\xe4nde) w\xe4nde)\n")
+    c, uri, text = Client(), f"file://{work}/new.vs", '(load "old.vs")\n(draw (wall 1))\n'
+    c.open(uri, text)
+    for method in ("hover", "definition", "references", "completion", "signatureHelp"): c.at(method, uri, text, "(wa^ll 1")
+    c.end()
+    # A client that ends without a word ends the server.
+    for close in (("stdin",), ("stdout",), ("stdout", "stdin")):
+        c = Client()
+        for name in close: getattr(c.process, name).close()
+        if close == ("stdout",):
+            try: c.tell("textDocument/didOpen", {"textDocument": {"uri": uri, "text": text}}); c.tell("textDocument/didOpen", {"textDocument": {"uri": uri, "text": text}})
+            except BrokenPipeError: pass
+        try: c.process.wait(timeout=30)
+        except subprocess.TimeoutExpired: reasons.append(f"the server goes on without its client's {close}"); c.process.kill()
+    return reasons
+
+for test in (answers, findings, actions, colours, lens, speed, edits, wrong, hostile):
     if only and only not in "lsp/" + test.__name__: continue
     try: result("lsp/" + test.__name__, test())
     except Exception as e: result("lsp/" + test.__name__, [repr(e)])

@@ -199,7 +199,33 @@ def wrong():
     expect(reasons, "a file on the command line", done.returncode, 2)
     return reasons
 
-for test in (house, tools, confined, wrong):
+# Lines that no assistant sends, and a client that dies: the server answers or ends, and its command ends with it.
+def hostile():
+    reasons, c = [], Client(work / "hostile")
+    lines = {"no JSON": b"\x00\x01", "bad UTF-8": b'{"jsonrpc":"2.0","id":9,"method":"\xff"}', "deep JSON": b"[" * 100000, "deep objects": b'{"a":' * 100000 + b"1" + b"}" * 100000, "a number out of range": b'{"id":1e999,"method":"ping"}', "a batch": b'[{"jsonrpc":"2.0","id":1,"method":"ping"}]',
+        "an odd method": b'{"id":7,"method":["ping"]}', "a number": b"17", "NUL": b'{"jsonrpc":"2.0","id":9,"method":"tools/call","params":{"name":"run","arguments":{"program":"a\\u0000b"}}}', "a long word": b'{"jsonrpc":"2.0","id":9,"method":"' + b"x" * 1000000 + b'"}'}
+    for what, line in lines.items():
+        c.send(line)
+        m = c.receive()
+        if "error" not in m: reasons.append(f"{what}: {m}")
+    expect(reasons, "afterwards", c.ask("ping", {})["result"], {})
+    for what, arguments in {"deep": {"program": "(" * 200000}, "no program": {"program": 5}, "odd parameters": {"program": "1", "parameters": {"a": [1]}}, "a name with =": {"program": "1", "parameters": {"a=b": 1}}, "no name": {"program": "1", "parameters": {"": 1}}, "many": {"program": "1", "parameters": {f"p{i}": i for i in range(500)}}}.items():
+        text, failed, _ = c.call("run", **arguments)
+        if not failed or len(text) > 10000: reasons.append(f"{what}: {failed} {text[:300]}")
+    code, out, err = c.end()
+    expect(reasons, "the end", (code, err), (0, b""))
+    for close in (("stdout",), ("stdout", "stdin")):
+        c = Client(work / "hostile", "--limit-time", "300")
+        c.number += 1
+        c.send({"jsonrpc": "2.0", "id": c.number, "method": "tools/call", "params": {"name": "run", "arguments": {"program": "(let loop () (loop))"}}})
+        time.sleep(0.3)
+        for name in close: getattr(c.process, name).close()
+        try: c.process.wait(timeout=20)
+        except subprocess.TimeoutExpired: reasons.append(f"the command goes on without its client's {close}"); c.process.kill()
+    if any(temporary.iterdir()): reasons.append(f"files remain: {list(temporary.iterdir())}")
+    return reasons
+
+for test in (house, tools, confined, wrong, hostile):
     name = "mcp/" + test.__name__
     if only and only not in name: continue
     try: result(name, test())
