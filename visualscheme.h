@@ -393,6 +393,8 @@ VS_API vs_outcome vs_drawing_summary(vs_scheme *s, vs_summary *out);
 
 /* Returns the name of the model's index-th view, which (view "name" ...) defines; NULL after the last. */
 VS_API const char *vs_view_name(const vs_scheme *s, size_t index);
+/* Sets names[] to the names of the drawing's parts, at most `room`, and *count to their number. */
+VS_API vs_outcome vs_part_names(vs_scheme *s, const char **names, size_t room, size_t *count);
 
 /* Returns true if the interpreter has read the file at path (program, picture, mesh or data), perhaps by another name.
  * Every function that writes refuses such a path (VS_OUTCOME_USAGE). A host that writes a file itself should call this
@@ -593,6 +595,7 @@ typedef struct {
   vs_development development; /* tone mapping of a .png */
   bool layers;           /* whether an .exr also contains depth, normal, albedo, id, material and ambient occlusion */
   const char *view;      /* name of a view of the model, or NULL; "*" selects all views, on the sheet of a drawing */
+  const char *part;      /* name of the part of the model that alone is written, or NULL */
   bool has_camera;       /* whether `camera` replaces the camera of the model and of the view */
   double camera[7];      /* eye (3 numbers), target (3 numbers), and focal length in mm for a 35 mm film */
   bool has_sun;          /* whether `sun` replaces the model's sun */

@@ -69,6 +69,7 @@ typedef enum {
                               * so that it can be cached for the next output */
   VS_TURNS = 1 << 13,        /* the option --up y rotates the drawing for this format, which prescribes no upward
                               * axis */
+  VS_NAMES = 1 << 14,      /* the format has a name for each part of the drawing (solids/named_parts.h) */
   VS_VERBATIM = 1 << 12      /* the driver emits every node as it is, including empty nodes, and visits the children of
                               * all kinds */
 } vs_backend_trait;
@@ -142,6 +143,7 @@ static inline vs_emit_fn *vs_backend_writes(const vs_backend *b, const vs_node *
             [VS_TRANSFORM] = { through, NULL },                                                                        \
             [VS_MATERIAL] = { through, NULL },                                                                         \
             [VS_LAYER] = { through, NULL },                                                                            \
+            [VS_PART] = { through, NULL },                                                                            \
             [VS_UNION] = { through, NULL },                                                                            \
             [VS_INTERSECTION] = { boolean, NULL },                                                                     \
             [VS_DIFFERENCE] = { boolean, NULL } }

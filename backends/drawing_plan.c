@@ -14,7 +14,7 @@ void vs_plan_operations(vs_drive *d) {
   vs_drive_find_short(d);
   for (int kind = 0; kind < VS_KIND_COUNT; kind++)
     d->operation[kind] = vs_kind_get((vs_kind)kind)->level == VS_LEVEL_OPERATION || kind == VS_NATIVE ||
-                         kind == VS_HIGHLIGHT || kind == VS_GHOST;
+                         kind == VS_PART || kind == VS_HIGHLIGHT || kind == VS_GHOST;
 }
 
 bool vs_plan_material(vs_emitter *e, const vs_material *m) {

@@ -36,7 +36,7 @@ typedef struct {
   size_t next, shown;   /* next: index of the next child to visit. shown: number of children passed to the emitter */
   size_t asked;         /* children before this index were already searched in the cache of text */
   const vs_material *material;
-  const char *layer;
+  const char *layer, *part;
   vs_affine placement;
   vs_bounds reach;
   bool in_boolean;

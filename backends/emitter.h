@@ -56,7 +56,8 @@ struct vs_emitter {
                         * places in the drawing */
   /* Material, layer and placement of the current node, computed from all operations above it. */
   const vs_material *material; /* material of the node, or NULL */
-  const char *layer;   /* name of the innermost layer around the node, or NULL */
+  const char *layer;   /* name of the innermost layer around the node or, if there is none, of the part; or NULL */
+  const char *part;    /* name of the part to which the node belongs, or NULL */
   vs_affine placement;
   vs_bounds reach;     /* space outside which a half-space has no effect, in the coordinates of the current output */
   vs_drive *drive;

@@ -273,6 +273,7 @@ bool vs_export_sugar(vs_scene *scene, const vs_format *format, const vs_export_o
                           .ghosts = b->ghosts,
                           .target = b->native,
                           .muted = options->safe,
+                          .keeps_parts = options->keeps_parts || vs_backend_has(b, VS_NAMES),
                           .job = options->job };
   if (vs_backend_has(b, VS_SHOWS_GHOSTS_IN_DRAFTS) && options->quality != VS_RENDER_DRAFT) o.ghosts = VS_MARKS_DROP;
   return vs_scene_sugar(scene, &o, e) &&

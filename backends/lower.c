@@ -16,6 +16,7 @@
 #include "geometry/primitives/half_space.h"
 #include "geometry/primitives/shape.h"
 #include "model/job.h"
+#include "model/store/array.h"
 
 static vs_node *lower_polyline(vs_emitter *e, const vs_ref *ref) {
   vs_polyline p = { .count = 0 };
@@ -123,7 +124,7 @@ static vs_node *lower_node(vs_emitter *e, const vs_ref *ref) {
   case VS_MATERIAL:
   case VS_LAYER:
   case VS_KIND_COUNT:
-  case VS_NATIVE: case VS_HIGHLIGHT: case VS_GHOST: case VS_ONLY:
+  case VS_NATIVE: case VS_PART: case VS_HIGHLIGHT: case VS_GHOST: case VS_ONLY:
     break;
   case VS_CUSTOM:
     vs_error_set(e->error, VS_ERROR_MODEL, ref->origin,
@@ -168,11 +169,116 @@ bool vs_lower_objects(vs_emitter *e, const vs_refs *refs, int depth, vs_bends be
  * pointer is NULL. */
 typedef struct { vs_solid *one; vs_solid_copies *many; } lowered;
 
+/* ---- drawings of parts (solids/named_parts.h): the solids of each part are united by themselves ---- */
+
+/* The result for all parts, and the room of its array `parts`. */
+typedef struct { lowered to; size_t room; } lower_sum;
+
+/* Appends the sources of faces to those of the result, with the name of their part. */
+static bool append_sources(vs_emitter *e, lower_sum *sum, const vs_solid_part *more, size_t count, const char *part) {
+  vs_solid_part **all = sum->to.one ? &sum->to.one->parts : &sum->to.many->parts;
+  size_t *used = sum->to.one ? &sum->to.one->part_count : &sum->to.many->part_count;
+  if (!VS_GROW(*all, sum->room, *used + count)) return vs_emit_no_memory(e);
+  for (size_t i = 0; i < count; i++) {
+    (*all)[*used] = more[i];
+    (*all)[(*used)++].part = part;
+  }
+  return true;
+}
+
+static void move_tags(vs_mesh *m, size_t by) {
+  for (size_t i = 0; m->tags != NULL && i < m->triangle_count; i++) m->tags[i] += (uint32_t)by;
+}
+
+static bool append_mesh(vs_emitter *e, vs_mesh *to, const vs_mesh *from) {
+  uint32_t base = (uint32_t)to->vertex_count;
+  bool ok = from->tags == NULL || vs_mesh_want_tags(to);
+  for (size_t i = 0; ok && i < from->vertex_count; i++) ok = vs_mesh_add_vertex(to, from->vertices[i], NULL);
+  for (size_t i = 0; ok && i < from->triangle_count; i++) {
+    const uint32_t *t = from->triangles[i];
+    ok = vs_mesh_add_triangle(to, base + t[0], base + t[1], base + t[2]);
+    if (ok && to->tags != NULL) to->tags[to->triangle_count - 1] = from->tags != NULL ? from->tags[i] : 0;
+  }
+  return ok || vs_emit_no_memory(e);
+}
+
+static bool append_solid(vs_emitter *e, lower_sum *sum, vs_solid *from, const char *part) {
+  vs_solid *to = sum->to.one;
+  move_tags(&from->mesh, to->part_count);
+  to->straightened += from->straightened;
+  return append_mesh(e, &to->mesh, &from->mesh) &&
+         append_sources(e, sum, from->parts, from->part_count, part);
+}
+
+/* Moves the meshes of `from` to the result. */
+static bool append_copies(vs_emitter *e, lower_sum *sum, vs_solid_copies *from, const char *part) {
+  vs_solid_copies *to = sum->to.many;
+  vs_kernel_copies *a = &to->meshes, *b = &from->meshes;
+  size_t tags = to->part_count;
+  if (!VS_GROW(a->meshes, a->mesh_room, a->mesh_count + b->mesh_count) ||
+      !VS_GROW(a->copies, a->copy_room, a->copy_count + b->copy_count))
+    return vs_emit_no_memory(e);
+  if (!append_sources(e, sum, from->parts, from->part_count, part)) return false;
+  uint32_t first = (uint32_t)a->mesh_count;
+  for (size_t i = 0; i < b->mesh_count; i++) {
+    if (b->meshes[i].tags == NULL && tags > 0 && !vs_mesh_want_tags(&b->meshes[i])) return vs_emit_no_memory(e);
+    move_tags(&b->meshes[i], tags);
+    a->meshes[a->mesh_count++] = b->meshes[i];
+    b->meshes[i] = (vs_mesh){ .vertices = NULL };
+  }
+  for (size_t i = 0; i < b->copy_count; i++)
+    a->copies[a->copy_count++] = (vs_kernel_copy){ first + b->copies[i].mesh, b->copies[i].place };
+  to->straightened += from->straightened;
+  return true;
+}
+
+/* Computes the solids of refs, a part or all objects outside of parts. Rounds them to the format's numbers, and appends
+ * them to the result. Adds the changes by rounding to *rounded. */
+static bool lower_part(vs_emitter *e, vs_refs refs, vs_bends bends, lower_sum *sum, vs_rounded *rounded) {
+  const char *part = refs.at[0].node->kind == VS_PART ? VS_AS(part, refs.at[0].node)->name : NULL;
+  vs_solid one = { .part_count = 0 };
+  vs_solid_copies many = { .part_count = 0 };
+  vs_kernel_options options = lower_options(e, bends);
+  bool ok = sum->to.one ? vs_lower_solids(e, refs.at, refs.count, bends, &one) &&
+                              vs_emit_round(e, &one.mesh, e->backend->numbers, rounded) &&
+                              append_solid(e, sum, &one, part)
+                        : vs_solid_evaluate_copies(refs.at, refs.count, &e->facets, &options, &many, e->error);
+  for (size_t i = 0; ok && i < many.meshes.mesh_count; i++)
+    ok = vs_emit_round(e, &many.meshes.meshes[i], e->backend->numbers, rounded);
+  ok = ok && (sum->to.one || append_copies(e, sum, &many, part));
+  vs_solid_free(&one);
+  vs_solid_copies_free(&many);
+  return ok;
+}
+
+/* Computes the solids of a drawing with parts: first those outside of parts, then each part. */
+static bool lower_parted(vs_emitter *e, vs_bends bends, lowered to, vs_rounded *what) {
+  const vs_scene *s = e->scene;
+  lower_sum sum = { to, 0 };
+  size_t count = 0;
+  vs_ref *others = vs_store_realloc(s->store, NULL, 0, (s->drawn_count + 1) * sizeof *others);
+  if (others == NULL) return vs_emit_no_memory(e);
+  for (size_t i = 0; i < s->drawn_count; i++)
+    if (s->drawn[i].node->kind != VS_PART) others[count++] = s->drawn[i];
+  bool ok = count == 0 || lower_part(e, (vs_refs){ others, count }, bends, &sum, what);
+  for (size_t i = 0; ok && i < s->drawn_count; i++)
+    if (s->drawn[i].node->kind == VS_PART) ok = lower_part(e, (vs_refs){ &s->drawn[i], 1 }, bends, &sum, what);
+  vs_store_realloc(s->store, others, (s->drawn_count + 1) * sizeof *others, 0);
+  return ok;
+}
+
+static bool lower_has_parts(const vs_emitter *e) {
+  bool any = false;
+  for (size_t i = 0; i < e->scene->drawn_count; i++) any |= e->scene->drawn[i].node->kind == VS_PART;
+  return any && !vs_backend_has(e->backend, VS_DRAWS);
+}
+
 /* Computes the meshes of the drawing's solids, and rounds them to the format's numbers. Adds the changes that rounding
  * makes to *what. */
 static bool lower_once(vs_emitter *e, vs_bends bends, lowered to, vs_rounded *what) {
   const vs_scene *s = e->scene;
   const vs_refs drawn = { s->drawn, s->drawn_count };
+  if (lower_has_parts(e)) return lower_parted(e, bends, to, what);
   if (to.one)
     return (e->backend->objects ? vs_lower_objects(e, &drawn, 0, bends, to.one)
                                 : vs_lower_solids(e, s->drawn, s->drawn_count, bends, to.one)) &&

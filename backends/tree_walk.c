@@ -153,11 +153,11 @@ static bool drive_show(vs_emitter *e, const vs_ref *ref, drive_view view, bool b
     return status == VS_EMITTED || (status == VS_LOWER && drive_lower(e, ref));
   }
   drive_frame frame = {
-    .ref = *ref, .material = e->material, .layer = e->layer, .placement = e->placement, .reach = e->reach,
-    .in_boolean = e->in_boolean
+    .ref = *ref, .material = e->material, .layer = e->layer, .part = e->part, .placement = e->placement,
+    .reach = e->reach, .in_boolean = e->in_boolean
   };
   bool placed = n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER || n->kind == VS_NATIVE ||
-                n->kind == VS_HIGHLIGHT || n->kind == VS_GHOST;
+                n->kind == VS_PART || n->kind == VS_HIGHLIGHT || n->kind == VS_GHOST;
   size_t shown = drive_shown(e, n, view.entry);
   frame.silent = shown == 1 && !placed && n->kind != VS_HULL && !drive_has(e, VS_VERBATIM);
   if (!frame.silent) {
@@ -168,6 +168,8 @@ static bool drive_show(vs_emitter *e, const vs_ref *ref, drive_view view, bool b
     }
     if (n->kind == VS_MATERIAL) e->material = VS_AS(material, n)->material;
     if (n->kind == VS_LAYER) e->layer = VS_AS(layer, n)->name;
+    if (n->kind == VS_PART) e->part = VS_AS(part, n)->name;
+    if (n->kind == VS_PART && e->layer == NULL) e->layer = e->part;
     if (n->flags & VS_NODE_CUT && !drive_reach(e, n)) return false;
     e->carved = view.entry != NULL && view.entry->carved;
     bool area = !drive_has(e, VS_VERBATIM) && vs_lower_as_area(e, n);
@@ -176,6 +178,7 @@ static bool drive_show(vs_emitter *e, const vs_ref *ref, drive_view view, bool b
     if (status != VS_EMITTED) {
       e->material = frame.material;
       e->layer = frame.layer;
+      e->part = frame.part;
       drive_place(e, &frame.placement);
       e->reach = frame.reach;
       return status == VS_WHOLE || (status == VS_LOWER && drive_lower(e, ref));
@@ -229,6 +232,7 @@ bool vs_drive_walk(vs_emitter *e, const vs_ref *root, bool body) {
     e->in_boolean = done.in_boolean;
     e->material = done.material;
     e->layer = done.layer;
+    e->part = done.part;
     drive_place(e, &done.placement);
     e->reach = done.reach;
     if (e->backend->emit[n->kind].fn(e, &done.ref, VS_PHASE_LEAVE) != VS_EMITTED) return false;
@@ -242,7 +246,7 @@ void vs_drive_reset(vs_emitter *e) {
   e->child_count = e->child_index = 0;
   e->smooth = e->in_boolean = false;
   e->material = NULL;
-  e->layer = NULL;
+  e->layer = e->part = NULL;
   e->body = e->parent = NULL;
   vs_affine here = vs_affine_identity();
   drive_place(e, &here);

@@ -103,6 +103,7 @@ static vs_status around(vs_args *f, vs_kind kind, const void *data, const vs_arg
                  "%s has no object here, and does not change objects drawn elsewhere: write (%s%s object)", name, name,
                  kind == VS_MATERIAL ? strcmp(name, "color") ? " steel" : " \"red\""
                  : kind == VS_LAYER  ? " \"walls\""
+                 : kind == VS_PART   ? " \"leg\""
                                      : "");
   }
   if (objects->refs.count == 0) return vs_bind_empty(f, NULL, out);
@@ -136,6 +137,13 @@ vs_status vs_p_layer(vs_args *f, vs_value *out) {
   if ((color->given || line->given) && !f->bind->handing && !vs_scene_add_pen(&f->bind->scene, &pen))
     return vs_fail_memory(f->vm);
   return around(f, VS_LAYER, &(struct vs_layer){ .name = name }, &f->arg[1], out);
+}
+
+vs_status vs_p_part(vs_args *f, vs_value *out) {
+  if (f->arg[0].text.length == 0) return vs_bind_refuse(f, "name", "a string that is not empty", f->arg[0].value);
+  const char *name = vs_store_text(f->store, f->arg[0].text.at, f->arg[0].text.length);
+  if (!name) return vs_fail_memory(f->vm);
+  return around(f, VS_PART, &(struct vs_part){ .name = name }, &f->arg[1], out);
 }
 
 vs_status vs_p_highlight(vs_args *f, vs_value *out) {

@@ -209,6 +209,7 @@ static bool opening(const sink *k, const vs_node *n) {
     case VS_CUSTOM: return text(k, VS_AS(custom, n)->made); /* written as the program's own call, without the child that
                                                              * a drawing function created */
     case VS_HIGHLIGHT: case VS_GHOST: case VS_ONLY: return text(k, "(") && text(k, name);
+    case VS_PART: return text(k, "(part") && named(k, n, (const char *const[]){ "name", NULL });
     case VS_LAYER: return text(k, "(layer") && named(k, n, (const char *const[]){ "name", NULL });
     case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: return text(k, "(") && text(k, name);
     case VS_KIND_COUNT: break;

@@ -16,7 +16,9 @@
 #include "geometry/plane/planar_evaluation.h"
 #include "model/store/array.h"
 #include "model/store/nodemap.h"
+#include "model/scene.h"
 #include "model/walk.h"
+#include "solids/named_parts.h"
 #include "vm/values/heap.h"
 
 static vs_status truth(bool b, vs_value *out) {
@@ -187,11 +189,12 @@ static size_t shown(const vs_node *n) {
 
 static const void *own_look(const vs_node *n, vs_kind kind) {
   if (n->kind != kind) return NULL;
+  if (kind == VS_PART) return VS_AS(part, n)->name;
   return kind == VS_MATERIAL ? (const void *)VS_AS(material, n)->material : VS_AS(layer, n)->name;
 }
 
 typedef struct {
-  vs_kind kind;       /* kind of look that is searched: VS_MATERIAL or VS_LAYER */
+  vs_kind kind;       /* kind of look that is searched: VS_MATERIAL, VS_LAYER or VS_PART */
   vs_nodemap answers; /* for each node, 1 + the index of its result in `made` */
   look_of *made;
   size_t count, room;
@@ -250,11 +253,35 @@ vs_status vs_p_object_material(vs_args *f, vs_value *out) {
   return look ? give_material(f->vm, look, out) : VS_OK;
 }
 
-vs_status vs_p_object_layer(vs_args *f, vs_value *out) {
+static vs_status give_name(vs_args *f, vs_kind kind, vs_value *out) {
   const void *look;
-  if (!find_look(f->store, f->arg[0].ref, VS_LAYER, &look)) return vs_fail_memory(f->vm);
+  if (!find_look(f->store, f->arg[0].ref, kind, &look)) return vs_fail_memory(f->vm);
   *out = VS_FALSE;
   return look ? vs_string_from_utf8(f->vm, look, strlen(look), out) : VS_OK;
+}
+
+vs_status vs_p_object_layer(vs_args *f, vs_value *out) { return give_name(f, VS_LAYER, out); }
+vs_status vs_p_object_part(vs_args *f, vs_value *out) { return give_name(f, VS_PART, out); }
+
+/* Returns a list of the parts in the objects, without the objects outside of parts. */
+vs_status vs_p_object_parts(vs_args *f, vs_value *out) {
+  vs_scene scene = { .store = f->store };
+  vs_error why = { VS_ERROR_NONE, NULL, "" };
+  bool ok = true;
+  for (size_t i = 0; ok && i < f->arg[0].refs.count; i++) ok = vs_scene_draw(&scene, f->arg[0].refs.at[i]);
+  vs_status status = !ok ? vs_fail_memory(f->vm)
+                     : vs_scene_parts(&scene, true, &why) ? VS_OK : vs_bind_error(f->vm, &why);
+  size_t count = 0;
+  for (size_t i = 0; status == VS_OK && i < scene.drawn_count; i++) { /* the parts come first, the others after them */
+    vs_ref ref = scene.drawn[i];
+    if (ref.node->kind != VS_PART) continue;
+    scene.drawn[i] = scene.drawn[count];
+    scene.drawn[count++] = ref;
+  }
+  if (status == VS_OK) status = vs_bind_give_refs(f->bind, scene.drawn, count, out);
+  for (size_t i = 0; i < scene.drawn_count; i++) vs_node_release(scene.drawn[i].node);
+  if (scene.drawn) vs_store_realloc(f->store, scene.drawn, scene.drawn_room * sizeof *scene.drawn, 0);
+  return status;
 }
 
 vs_status vs_p_object_origin(vs_args *f, vs_value *out) {

@@ -44,6 +44,7 @@
 #include "cli/test_command.h"
 #include "cli/usage/output_files.h"
 #include "live/live.h"
+#include "model/store/array.h"
 
 /* The interpreter to interrupt, and the numbers of signals so far: the only global variables, because a signal handler
  * has no context. SIGINT ends the current run; SIGTERM and SIGHUP also end the prompt. No signal ends the process at
@@ -283,6 +284,56 @@ static vs_outcome write_views(cli_session *c, const cli_target *t, write_fn *wri
   return outcome;
 }
 
+/* Returns the length of the text up to the %p in the path's file name, or SIZE_MAX if it has none. */
+static size_t place_of_part(const char *path) {
+  const char *name = cli_file_name(path), *at = strstr(name, "%p");
+  return at ? (size_t)(at - path) : SIZE_MAX;
+}
+
+/* Writes the path with names[at] for its %p. A character that a file name should not have becomes a hyphen; the second
+ * part whose name becomes the same gets the number 2. Returns false, after a message, if the path is too long. */
+static bool part_path(const char *path, const char *const *names, size_t at, char out[PATH_ROOM]) {
+  size_t before = place_of_part(path), same = 1, length = strlen(names[at]);
+  char number[24] = "", spelled[PATH_ROOM];
+  if (length < PATH_ROOM) {
+    for (size_t i = 0; i <= length; i++) spelled[i] = cli_file_letter(names[at][i], i == 0);
+    for (size_t k = 0; k < at; k++) {
+      size_t i = 0;
+      while (i <= length && names[k][i] && cli_file_letter(names[k][i], i == 0) == spelled[i]) i++;
+      same += i == length && names[k][i] == '\0';
+    }
+    if (same > 1) snprintf(number, sizeof number, "-%zu", same);
+    int written = snprintf(out, PATH_ROOM, "%.*s%s%s%s", (int)before, path, spelled, number, path + before + 2);
+    if (written > 0 && written < PATH_ROOM) return true;
+  }
+  fprintf(stderr, "vs: %s: the name of part \"%.60s\" is too long\n", path, names[at]);
+  return false;
+}
+
+/* Calls `write` for a file of each of the model's parts. */
+static vs_outcome write_parts(cli_session *c, const cli_target *t, write_fn *write) {
+  size_t count = 0, again = 0;
+  vs_outcome outcome = vs_part_names(c->scheme, NULL, 0, &count);
+  if (outcome == VS_OUTCOME_DONE && count == 0) {
+    cli_report_settle(&c->reporter);
+    fprintf(stderr, "vs: -o %s: the model has no part: (part \"name\" object) makes one\n", t->path);
+    return VS_OUTCOME_MODEL;
+  }
+  const char **names = outcome == VS_OUTCOME_DONE ? vs_fresh(count, sizeof *names) : NULL;
+  if (!names) return outcome == VS_OUTCOME_DONE ? VS_OUTCOME_MACHINE : outcome;
+  outcome = vs_part_names(c->scheme, names, count, &again);
+  for (size_t i = 0; outcome != VS_OUTCOME_INTERRUPTED && i < count && i < again; i++) {
+    char path[PATH_ROOM];
+    vs_outcome one = VS_OUTCOME_USAGE;
+    c->options->output.part = names[i];
+    if (part_path(t->path, names, i, path)) one = write(c, &(cli_target){path, t->format});
+    if (one == VS_OUTCOME_INTERRUPTED || outcome == VS_OUTCOME_DONE) outcome = one;
+  }
+  c->options->output.part = NULL;
+  free(names);
+  return outcome;
+}
+
 /* writes the name OUT-007.png for the file OUT.png and frame 7 */
 static bool frame_path(const char *path, const cli_frames *f, long frame, char name[PATH_ROOM]) {
   char number[CLI_FRAME_ROOM];
@@ -297,6 +348,7 @@ static vs_outcome write_target(cli_session *c, const cli_target *t, write_fn *wr
     if (!frame_path(t->path, &c->options->frames, c->frame, path)) return VS_OUTCOME_USAGE;
     t = &numbered;
   }
+  if (place_of_part(t->path) != SIZE_MAX) return write_parts(c, t, write);
   if (!c->options->all_views) return write(c, t);
   if (is_picture(t) && vs_view_name(c->scheme, 0)) return write_views(c, t, write);
   c->options->output.view = "*";

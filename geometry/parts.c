@@ -10,7 +10,7 @@
 #include "model/store/array.h"
 
 bool vs_is_wrapper(const vs_node *n) {
-  return n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER;
+  return vs_node_is_around(n);
 }
 
 bool vs_is_several(const vs_node *n) {

@@ -207,7 +207,7 @@ static void node_classify(vs_node *n, const vs_kind_info *info, const vs_node_fa
         n->class_ = VS_SOLID;
         break;
       } /* fall through */
-    case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_HIGHLIGHT: case VS_ONLY:
+    case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_PART: case VS_HIGHLIGHT: case VS_ONLY:
       n->class_ = first ? first->class_ : VS_NOTHING;
       n->flags |= first ? first->flags & VS_NODE_CLOSED : 0;
       break;

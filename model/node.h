@@ -203,6 +203,13 @@ static inline bool vs_node_is_wrapper(const vs_node *n) {
   return n->child_count == 1 && vs_node_role(n) == VS_ROLE_WRAPPER;
 }
 
+/* Returns true if n is a look or a name of its single child: a material, a layer or a part. */
+static inline bool vs_node_is_look(const vs_node *n) {
+  return n->kind == VS_MATERIAL || n->kind == VS_LAYER || n->kind == VS_PART;
+}
+/* Returns true if n is a placement, a look or a name of its single child. */
+static inline bool vs_node_is_around(const vs_node *n) { return n->kind == VS_TRANSFORM || vs_node_is_look(n); }
+
 /* ---- creating; these functions return a new reference, which the caller releases, or NULL when memory is out ---- */
 vs_points *vs_points_new(vs_store *s, const vs_vec3 *at, size_t count);
 vs_faces *vs_faces_new(vs_store *s, const uint32_t *starts, size_t count, const uint32_t *corners, size_t corner_count);

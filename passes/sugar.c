@@ -197,6 +197,7 @@ static vs_node *sugar_node(vs_rewrite *w, const vs_node *n, const vs_ref *kids, 
   bool unwrap = false;
   if (n->kind == VS_CUSTOM) unwrap = n->child_count == 1;
   if (n->kind == VS_ONLY) unwrap = true;
+  if (n->kind == VS_PART) unwrap = !o->keeps_parts;
   if (n->kind == VS_HIGHLIGHT) unwrap = o->highlights != VS_MARKS_KEEP;
   if (n->kind == VS_NATIVE)
     unwrap = (o->muted || !sugar_speaks(o, n)) && !(o->keeps_text && kids[0].node->kind == VS_EMPTY);

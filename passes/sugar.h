@@ -1,10 +1,11 @@
-/* Declares the removal of the kinds of level SUGAR before a drawing is written: only, ghost, highlight, native, and
- * kinds of define-primitive.
+/* Declares the removal of the kinds of level SUGAR before a drawing is written: only, ghost, highlight, native,
+ * part, and kinds of define-primitive.
  *
  *   only       the drawing becomes the children of the `only` nodes, in their places and materials
  *   ghost      belongs to no solid; a format that shows previews gets it beside the drawing
  *   highlight  becomes its child; a format that shows previews also gets it beside the drawing, where it is cut away
  *   native     stays for its own program; for all others it becomes its child
+ *   part       stays for formats that have a name for it; for all others it becomes its child
  *   custom     becomes its child */
 #ifndef VS_PASSES_SUGAR_H
 #define VS_PASSES_SUGAR_H
@@ -26,6 +27,7 @@ typedef struct {
   const char *target; /* program of targets.def whose native text is written; NULL if no native text is written */
   const char *output; /* name of the format for messages, such as ".stl"; NULL: no warnings about native text without a
                        * replacement */
+  bool keeps_parts;   /* true if nodes of kind VS_PART stay */
   bool keeps_text;    /* true if native text that has no replacement for other formats is kept, so that it can be
                        * counted */
   bool strict;        /* true if native text without a replacement for this format causes an error instead of a

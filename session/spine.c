@@ -39,6 +39,7 @@
 #include "session/statistics.h"
 #include "solids/drawn_bounds.h"
 #include "solids/endless_lines.h"
+#include "solids/named_parts.h"
 #include "solids/resolve.h"
 
 /* An output that is being made, or a drawing that is being measured. */
@@ -60,6 +61,7 @@ typedef struct {
   char *text;                    /* text that a back-end of the program has written, and its length in bytes; NULL:
                                   * there is none */
   size_t text_bytes;
+  bool names;                    /* whether the drawing is divided into parts without an output */
   double told;                   /* clock in seconds when progress was last reported to the host */
 } writing;
 
@@ -132,6 +134,7 @@ static void set_options(writing *j) {
   j->job.limits.worker_seconds = limits->limit_worker;
   e->strict = o->strict;
   e->up_y = o->up_y;
+  e->keeps_parts = o->part != NULL;
   if (limits->limit_memory)
     j->job.limits.mesh_bytes = j->session->bytes < limits->limit_memory ? limits->limit_memory - j->session->bytes : 1;
   vs_session_size(o, e);
@@ -229,7 +232,7 @@ static bool stage_hand_over(writing *j) {
 }
 
 static bool stage_sugar(writing *j) {
-  static const vs_sugar_options solids_only = { .highlights = VS_MARKS_DROP, .keeps_text = true };
+  vs_sugar_options solids_only = { .highlights = VS_MARKS_DROP, .keeps_text = true, .keeps_parts = j->names };
   return j->format ? vs_export_sugar(&j->scene, j->format, &j->export, &j->error)
                    : vs_scene_sugar(&j->scene, &solids_only, &j->error);
 }
@@ -274,6 +277,28 @@ static bool stage_optimise(writing *j) {
   unsigned passes = own && !own->optimised ? 0 : j->options->passes;
   return (!j->options->count || vs_session_output_nodes(j->session, &j->scene, passes, &j->error)) &&
          vs_scene_optimise(&j->scene, passes, &j->record->passes, &(vs_pass_notes){ job_warn, j }, &j->error);
+}
+
+/* Removes all objects but the part with this name from the drawing, for a format that may have no name for it. */
+static bool select_part(writing *j, const char *name) {
+  vs_scene *scene = &j->scene;
+  vs_ref kept = { NULL, NULL };
+  for (size_t i = 0; i < scene->drawn_count && !kept.node; i++) {
+    const vs_node *n = scene->drawn[i].node;
+    if (n->kind != VS_PART || strcmp(VS_AS(part, n)->name, name)) continue;
+    kept = vs_backend_has(j->format->backend, VS_NAMES) ? scene->drawn[i] : n->children[0];
+    vs_node_retain(kept.node);
+  }
+  if (!kept.node) return vs_error_set(&j->error, VS_ERROR_FILE, NULL, "the model has no part \"%.100s\"", name);
+  for (size_t i = 0; i < scene->drawn_count; i++) vs_node_release(scene->drawn[i].node);
+  scene->drawn[0] = kept, scene->drawn_count = 1;
+  return true;
+}
+
+static bool stage_parts(writing *j) {
+  const char *part = j->options ? j->options->part : NULL;
+  bool parted = part || (j->format && !vs_backend_has(j->format->backend, VS_DRAWS));
+  return vs_scene_parts(&j->scene, parted, &j->error) && (!part || select_part(j, part));
 }
 
 static bool stage_looks(writing *j) { return vs_scene_looks(&j->scene, &j->error); }
@@ -437,6 +462,23 @@ vs_outcome vs_session_summary(vs_session *s, vs_summary *out) {
         vs_store_text(s->bind.store, why.at + 2, why.count - 2);
     vs_text_close(&why);
   }
+  return outcome;
+}
+
+vs_outcome vs_session_parts(vs_session *s, const char **names, size_t room, size_t *count) {
+  writing j = { .session = s, .names = true };
+  size_t found = 0;
+  begin(&j);
+  bool ok = go_through(&j, VS_STAGE_PARTS);
+  for (size_t i = 0; ok && i < j.scene.drawn_count; i++) {
+    const vs_node *n = j.scene.drawn[i].node;
+    if (n->kind != VS_PART) continue;
+    if (found < room) names[found] = VS_AS(part, n)->name;
+    found++;
+  }
+  vs_outcome outcome = end_writing(&j, ok);
+  vs_tally_enter(&s->tally, VS_WORK_NONE);
+  *count = found;
   return outcome;
 }
 

@@ -15,6 +15,10 @@ vs_outcome vs_session_write(vs_session *s, const char *path, const vs_format *fo
 /* Sets *out to the counts and the bounds of the drawing. Reports a failure to the host, and returns the outcome. */
 vs_outcome vs_session_summary(vs_session *s, vs_summary *out);
 
+/* Sets names[] to the names of the drawing's parts, at most `room`, and *count to their number. The store owns the
+ * names. Reports a failure to the host, and returns the outcome. */
+vs_outcome vs_session_parts(vs_session *s, const char **names, size_t room, size_t *count);
+
 /* Sets the width and height of pictures in e, in pixels, from the options o. */
 void vs_session_size(const vs_output_options *o, vs_export_options *e);
 /* Sets the scene's camera and sun from the options, which override the program. */

@@ -682,6 +682,12 @@ static vs_outcome write_to(vs_scheme *vm, const char *path, const char *format_n
   return vs_session_write(s, path, format, &o, to);
 }
 
+vs_outcome vs_part_names(vs_scheme *vm, const char **names, size_t room, size_t *count) {
+  vs_session *s = vs_session_of(vm);
+  *count = 0;
+  return vs_session_busy(s, "vs_part_names") ? VS_OUTCOME_USAGE : vs_session_parts(s, names, room, count);
+}
+
 bool vs_is_input(const vs_scheme *vm, const char *path) {
   return vs_known_files_read(&vs_session_of(vm)->inputs, path);
 }

@@ -30,7 +30,7 @@
 /* Returns true if the mesh of node n may overlap itself. Placements around n do not matter. */
 static bool may_overlap(const vs_node *n) {
   if (n->class_ != VS_SOLID) return false;
-  while (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER) n = n->children[0].node;
+  while (vs_node_is_around(n)) n = n->children[0].node;
   if (n->kind == VS_EXTRUDE) return VS_AS(extrude, n)->taper != 0 || n->child_count > 1;
   return vs_node_has(n, VS_IS_OVERLAPPING);
 }
@@ -257,7 +257,7 @@ static bool settle(vs_mesh *m, double coarsest, work *left, bool *met, vs_vec3 *
 /* ---- sweeps ---- */
 
 static bool is_sweep(const vs_node *n) {
-  while (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER) n = n->children[0].node;
+  while (vs_node_is_around(n)) n = n->children[0].node;
   return n->kind == VS_SWEEP || (n->kind == VS_THICKEN && n->children[0].node->class_ == VS_CURVE);
 }
 

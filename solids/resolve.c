@@ -111,7 +111,7 @@ static bool surfaces(const resolver *r, vs_ref root, const vs_fineness *f, vs_me
     levels[depth].placed = depth ? levels[depth - 1].placed : vs_affine_identity();
     if (at.node->kind == VS_TRANSFORM)
       levels[depth].placed = vs_affine_multiply(&levels[depth].placed, &VS_AS(transform, at.node)->matrix);
-    if (at.node->kind == VS_TRANSFORM || at.node->kind == VS_MATERIAL || at.node->kind == VS_LAYER ||
+    if (vs_node_is_around(at.node) ||
         at.node->kind == VS_UNION)
       continue;
     vs_walk_skip(w);
@@ -161,7 +161,7 @@ static vs_node *round_edges(const resolver *r, const vs_node *n, const vs_origin
   double radius[2];
   int segments;
   *known = true;
-  while (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER ||
+  while (vs_node_is_around(n) ||
          (n->kind == VS_UNION && n->child_count == 1)) {
     if (n->kind == VS_TRANSFORM) placed = vs_affine_multiply(&placed, &VS_AS(transform, n)->matrix);
     n = n->children[0].node;
@@ -376,10 +376,10 @@ static vs_node *slice_of(const resolver *r, const vs_ref *ref) {
     levels[depth] = depth ? levels[depth - 1] : (level){ vs_affine_identity(), 0 };
     const vs_node *n = at.node;
     bool solid = n->class_ == VS_SOLID || n->class_ == VS_NOTHING;
-    if (!solid && (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER || n->kind == VS_UNION)) {
+    if (!solid && (vs_node_is_around(n) || n->kind == VS_UNION)) {
       if (n->kind == VS_TRANSFORM)
         levels[depth].placed = vs_affine_multiply(&levels[depth].placed, &VS_AS(transform, n)->matrix);
-      if (n->kind == VS_MATERIAL || n->kind == VS_LAYER) looks[levels[depth].looks++] = n;
+      if (vs_node_is_look(n)) looks[levels[depth].looks++] = n;
       continue;
     }
     vs_walk_skip(w);

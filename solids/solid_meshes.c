@@ -337,7 +337,7 @@ static bool add_leaf(builder *b, const vs_ref *ref, const level *at) {
   if (b->leaves.count >= UINT32_MAX - 1) return full(b);
   uint32_t number = 0;
   if (!mesh_of(b, ref, at, &facets, &mesh, &number) ||
-      !part_of(b, &(vs_solid_part){ at->material, at->layer, *ref, b->own ? number : b->object }, &leaf.tag))
+      !part_of(b, &(vs_solid_part){ at->material, at->layer, NULL, *ref, b->own ? number : b->object }, &leaf.tag))
     return false;
   leaf.mesh = mesh;
   if ((b->leaves.count + 1) * 2 > b->twins.count && !twins_grow(b)) return false;
@@ -434,6 +434,7 @@ static bool enter(builder *b, vs_walk *walk, const vs_ref *ref) {
   }
   if (n->kind == VS_MATERIAL) now.material = VS_AS(material, n)->material;
   if (n->kind == VS_LAYER) now.layer = VS_AS(layer, n)->name;
+  if (n->kind == VS_PART && !now.layer) now.layer = VS_AS(part, n)->name;
   if (!VS_PUSH(&b->k, b->levels, now)) return false;
   bool solid = n->class_ == VS_SOLID || n->class_ == VS_MIXED;
   if (solid && goes_in(n)) return true;

@@ -13,6 +13,7 @@
 typedef struct {
   const vs_material *material; /* material of the face; NULL if the model gives it none */
   const char *layer;           /* name of the face's layer, interned in the nodes' store; NULL if there is none */
+  const char *part;            /* name of the part of the drawing to which the face belongs; NULL if there is none */
   vs_ref leaf;                 /* first primitive with this material and layer; its origin is used for all faces of the
                                 * part; valid as long as the nodes exist */
   uint32_t object;             /* number of the object to which the part belongs (vs_solid_of_objects); 0: objects are

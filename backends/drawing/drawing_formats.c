@@ -38,7 +38,8 @@ static bool svg_solid(vs_emitter *e, const vs_solid *none) { return (void)none, 
 static bool pdf_solid(vs_emitter *e, const vs_solid *none) { return (void)none, draw(e, vs_sheet_write_pdf); }
 static bool dxf_solid(vs_emitter *e, const vs_solid *none) { return (void)none, draw(e, vs_sheet_write_dxf); }
 
-#define DRAWING .begin = begin, .end = end, .numbers = VS_NUMBERS_DOUBLE, .objects = true, VS_LOOSE_SHAPES(VS_DRAWS)
+#define DRAWING .begin = begin, .end = end, .numbers = VS_NUMBERS_DOUBLE, .objects = true, \
+                VS_LOOSE_SHAPES(VS_DRAWS | VS_NAMES)
 const vs_backend vs_backend_svg = { DRAWING, .solid = svg_solid };
 const vs_backend vs_backend_pdf = { DRAWING, .solid = pdf_solid };
 const vs_backend vs_backend_dxf = { DRAWING, .solid = dxf_solid };

@@ -31,6 +31,8 @@ typedef struct {
 typedef struct { uint32_t geometry, paint, next; /* paint: material number. next: index of the geometry's next mesh + 1;
                                                   * 0: none */ } vs_gltf_mesh;
 typedef struct { uint32_t mesh, layer; vs_affine place; } vs_gltf_node;
+/* A node without a mesh around others: a layer or a part. above: number of the part around it; 0: none */
+typedef struct { const char *name; uint32_t above; bool part; } vs_gltf_group;
 
 typedef struct {
   vs_gltf_bytes positions, normals, places, narrow, wide;
@@ -43,9 +45,9 @@ typedef struct {
   size_t mesh_count, mesh_room;
   vs_gltf_node *nodes;
   size_t node_count, node_room;
-  const char **layers;         /* names of layers; index 0 means that there is no layer */
+  vs_gltf_group *layers;       /* layers and parts; they are numbered from 1, and 0 means that there is none */
   size_t layer_count, layer_room;
-  uint32_t *open_layers;       /* numbers of the layers that contain the current node */
+  uint32_t *open_layers;       /* numbers of the layers and parts that contain the current node */
   size_t open_count, open_room;
   vs_shared_shapes shapes;     /* numbers of the geometries that are used at several places */
   vs_rounded settled; /* changes of shapes by rounding to 32 bits, for the warning */

@@ -345,21 +345,27 @@ vs_emit_status vs_gltf_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   return ok && gltf_place(e, number, &there) ? VS_EMITTED : VS_FAILED;
 }
 
-/* Does nothing for placements and paint, because the emitter contains them while shapes are written. A layer remains
- * open until the walk leaves its node. */
+/* Does nothing for placements and paint, because the emitter contains them while shapes are written. A layer or part
+ * remains open until the walk leaves its node. A layer within a part belongs to this part alone. */
 vs_emit_status vs_gltf_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   vs_gltf *g = e->state;
-  if (ref->node->kind != VS_LAYER) return VS_EMITTED;
+  bool part = ref->node->kind == VS_PART;
+  if (!part && ref->node->kind != VS_LAYER) return VS_EMITTED;
   if (phase == VS_PHASE_LEAVE) {
     g->open_count--;
     return VS_EMITTED;
   }
-  const char *name = VS_AS(layer, ref->node)->name;
-  uint32_t layer = 0;
-  while (layer < g->layer_count && strcmp(g->layers[layer], name) != 0) layer++;
+  const char *name = part ? VS_AS(part, ref->node)->name : VS_AS(layer, ref->node)->name;
+  size_t depth = g->open_count;
+  while (depth > 0 && !g->layers[g->open_layers[depth - 1] - 1].part) depth--;
+  uint32_t above = depth > 0 ? g->open_layers[depth - 1] : 0, layer = 0;
+  for (; layer < g->layer_count; layer++) {
+    const vs_gltf_group *known = &g->layers[layer];
+    if (known->part == part && known->above == above && strcmp(known->name, name) == 0) break;
+  }
   if (layer == g->layer_count) {
     if (!vs_emit_grow(e, &g->layers, &g->layer_room, g->layer_count + 1, sizeof *g->layers)) return VS_FAILED;
-    g->layers[g->layer_count++] = name;
+    g->layers[g->layer_count++] = (vs_gltf_group){ name, above, part };
   }
   if (!vs_emit_grow(e, &g->open_layers, &g->open_room, g->open_count + 1, sizeof *g->open_layers)) return VS_FAILED;
   g->open_layers[g->open_count++] = layer + 1;

@@ -219,7 +219,7 @@ static void gltf_child(vs_writer *w, size_t *count, size_t node) {
   vs_put_number(w, (double)node);
 }
 
-/* Writes the nodes. Node 0 is the root. The layers follow, then the placed meshes in the order of f->order. */
+/* Writes the nodes. Node 0 is the root. The layers and parts follow, then the placed meshes in f->order. */
 static void gltf_nodes(vs_writer *w, const gltf_file *f, const vs_gltf *g) {
   size_t first = 1 + g->layer_count;
   double unit = vs_scene_metres(f->e->scene);
@@ -230,10 +230,13 @@ static void gltf_nodes(vs_writer *w, const gltf_file *f, const vs_gltf *g) {
   for (size_t layer = 0; layer <= g->layer_count && !w->failed; layer++) {
     if (layer > 0) {
       vs_puts(w, ",{\"name\":");
-      json_text(w, g->layers[layer - 1]);
+      json_text(w, g->layers[layer - 1].name);
+      if (g->layers[layer - 1].part) vs_puts(w, ",\"extras\":{\"part\":true}");
     }
     size_t count = 0;
-    for (size_t i = 1; layer == 0 && i <= g->layer_count; i++) gltf_child(w, &count, i);
+    bool around = layer == 0 || g->layers[layer - 1].part;
+    for (size_t i = 1; around && i <= g->layer_count; i++)
+      if (g->layers[i - 1].above == layer) gltf_child(w, &count, i);
     for (size_t i = f->starts[layer]; i < f->starts[layer + 1] && !w->failed; i++) gltf_child(w, &count, first + i);
     vs_puts(w, count > 0 ? "]}" : "}");
   }
@@ -374,4 +377,5 @@ bool vs_gltf_write(vs_emitter *e) {
 /* The back-end has no .numbers, which would round all shapes together: each shape is rounded separately, relative to
  * its own centre. */
 const vs_backend vs_backend_glb = { .begin = vs_gltf_open, .end = vs_gltf_write, .close = vs_gltf_close,
+                                    .traits = VS_NAMES,
                                     VS_EMIT_SHAPES(vs_gltf_leaf, vs_gltf_line, vs_gltf_through, vs_gltf_boolean) };

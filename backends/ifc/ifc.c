@@ -378,7 +378,7 @@ static bool put_element(vs_emitter *e, const vs_ref *ref, unsigned shape, const 
   vs_putf(w, "$,$,(#%u)", shape);
   vs_ifc_end(w);
   unsigned element = begin_thing(e, class_.name);
-  vs_ifc_text(w, e->layer != NULL ? e->layer : vs_kind_get((vs_kind)ref->node->kind)->name);
+  vs_ifc_text(w, e->part != NULL ? e->part : e->layer != NULL ? e->layer : vs_kind_get((vs_kind)ref->node->kind)->name);
   vs_putf(w, ",$,$,#%u,#%u,'%u',%s", placement, product, d->things, class_.attributes);
   vs_ifc_end(w);
   size_t paint = vs_emit_material_number(e, e->material);
@@ -638,6 +638,6 @@ static void ifc_close(vs_emitter *e) {
   e->state = NULL;
 }
 
-const vs_backend vs_backend_ifc = { .begin = ifc_begin, .end = ifc_end, .close = ifc_close,
+const vs_backend vs_backend_ifc = { .begin = ifc_begin, .end = ifc_end, .close = ifc_close, .traits = VS_NAMES,
                                     .omit = { [VS_CURVE] = "IFC holds bodies: curves are omitted" },
                                     VS_EMIT_SHAPES(ifc_leaf, NULL, ifc_through, ifc_boolean) };

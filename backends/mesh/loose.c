@@ -33,7 +33,7 @@ static bool loose_add(vs_emitter *e, bool line, const vs_vec3 *points, size_t po
       !vs_emit_grow(e, &l->runs, &l->run_room, l->run_count + 1, sizeof *l->runs))
     return false;
   for (size_t i = 0; i < point_count; i++) l->points[l->point_count + i] = vs_affine_point(&e->placement, points[i]);
-  l->runs[l->run_count++] = (vs_loose_run){ line, l->corner_count, corner_count, e->material, e->layer };
+  l->runs[l->run_count++] = (vs_loose_run){ line, l->corner_count, corner_count, e->material, e->layer, e->part };
   return true;
 }
 

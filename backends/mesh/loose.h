@@ -11,7 +11,7 @@ typedef struct {
   size_t first, count;         /* first: index of the run's first corner in the array `corners`; count: number of its
                                 * corners */
   const vs_material *material; /* material of the run, or NULL */
-  const char *layer;           /* layer of the run, or NULL */
+  const char *layer, *part;    /* layer and part of the run, or NULL */
 } vs_loose_run;
 
 typedef struct {

@@ -361,16 +361,25 @@ static char *obj_library(const char *path) {
   return name;
 }
 
-/* Writes a layer's name as a single word on its own line. */
-static void obj_group(vs_writer *w, const char *layer) {
-  vs_puts(w, "g ");
-  vs_put_spelled(w, vs_spell_word, layer);
+/* The names of a group of faces or lines; NULL: no part, no layer. */
+typedef struct { const char *part, *layer; } obj_names;
+
+/* Writes the line of a name: "o " of a part, "g " of a layer. The name becomes a single word. */
+static void obj_name(vs_writer *w, const char *head, const char *name) {
+  vs_puts(w, head);
+  vs_put_spelled(w, vs_spell_word, name != NULL ? name : "default");
   vs_puts(w, "\n");
 }
 
-/* The triangles, sorted by layer, then by material. Layers and materials are in the order of first use. */
+/* Writes the names that differ from the last ones. */
+static void obj_group(vs_writer *w, obj_names last, obj_names now) {
+  if (now.part != last.part) obj_name(w, "o ", now.part);
+  if (now.layer != last.layer || now.part != last.part) obj_name(w, "g ", now.layer);
+}
+
+/* The triangles, sorted by part and layer, then by material. All of them are in the order of first use. */
 typedef struct {
-  const char **layers; /* names of the layers; the first is NULL and means that there is no layer */
+  obj_names *layers; /* names of the parts and their layers; the first has neither */
   size_t layer_count, layer_room;
   uint32_t *keys, *order;  /* keys[p]: key of part p; it combines layer and material. order: indices of the triangles,
                             * sorted by the key of their part */
@@ -386,28 +395,30 @@ static void obj_groups_free(vs_emitter *e, obj_groups *g, const vs_solid *solid)
   vs_emit_release(e, g->starts, g->key_count + 2, sizeof *g->starts);
 }
 
-static bool obj_layer(vs_emitter *e, obj_groups *g, const char *name, size_t *number) {
+static bool obj_layer(vs_emitter *e, obj_groups *g, obj_names name, size_t *number) {
   for (*number = 0; *number < g->layer_count; (*number)++)
-    if (g->layers[*number] == name) return true;
+    if (g->layers[*number].part == name.part && g->layers[*number].layer == name.layer) return true;
   if (!vs_emit_grow(e, &g->layers, &g->layer_room, g->layer_count + 1, sizeof *g->layers)) return false;
   g->layers[g->layer_count++] = name;
   return true;
 }
 
+static obj_names obj_names_of(const vs_solid_part *p) { return (obj_names){ p->part, p->layer }; }
+
 static bool obj_groups_make(vs_emitter *e, const vs_solid *solid, obj_groups *g) {
   const vs_mesh *m = &solid->mesh;
   vs_store *store = e->scene->store;
   size_t paints = vs_emit_material_count(e) + 1, layer;
-  if (!obj_layer(e, g, NULL, &layer)) return false;
+  if (!obj_layer(e, g, (obj_names){ NULL, NULL }, &layer)) return false;
   for (size_t i = 0; i < solid->part_count; i++)
-    if (!obj_layer(e, g, solid->parts[i].layer, &layer)) return false;
+    if (!obj_layer(e, g, obj_names_of(&solid->parts[i]), &layer)) return false;
   g->keys = vs_store_realloc(store, NULL, 0, (solid->part_count + 1) * sizeof *g->keys);
   g->order = vs_store_realloc(store, NULL, 0, (m->triangle_count + 1) * sizeof *g->order);
   g->key_count = g->layer_count * paints;
   g->starts = vs_store_realloc(store, NULL, 0, (g->key_count + 2) * sizeof *g->starts);
   if (g->keys == NULL || g->order == NULL || g->starts == NULL) return vs_emit_no_memory(e);
   for (size_t i = 0; i < solid->part_count; i++) {
-    if (!obj_layer(e, g, solid->parts[i].layer, &layer)) return false;
+    if (!obj_layer(e, g, obj_names_of(&solid->parts[i]), &layer)) return false;
     g->keys[i] = (uint32_t)(layer * paints + vs_emit_material_number(e, solid->parts[i].material));
   }
   g->keys[solid->part_count] = 0; /* key of the triangles that belong to no part */
@@ -437,14 +448,15 @@ static char *obj_corners(const void *context, size_t begin, size_t end, char *to
   return to;
 }
 
-static bool obj_faces(vs_emitter *e, const vs_solid *solid, const obj_groups *g) {
+/* Writes the faces. Sets *last to the names of the last. */
+static bool obj_faces(vs_emitter *e, const vs_solid *solid, const obj_groups *g, obj_names *last) {
   size_t paints = vs_emit_material_count(e) + 1, last_layer = 0;
   vs_writer *w = e->out;
   for (size_t key = 0; key < g->key_count && !w->failed; key++) {
     if (g->starts[key] == g->starts[key + 1]) continue;
-    const char *layer = g->layers[key / paints];
-    if (key / paints != last_layer) obj_group(w, layer != NULL ? layer : "default");
+    obj_group(w, g->layers[last_layer], g->layers[key / paints]);
     last_layer = key / paints;
+    *last = g->layers[last_layer];
     if (e->path != NULL) {
       vs_puts(w, "usemtl ");
       obj_material_name(e, key % paints > 0 ? vs_emit_material_at(e, key % paints) : NULL);
@@ -457,12 +469,12 @@ static bool obj_faces(vs_emitter *e, const vs_solid *solid, const obj_groups *g)
   return !w->failed;
 }
 
-/* Writes lines and open faces after the solids. base: number of vertices written before. Writes `usemtl` and `g` at
- * each change of material and layer. */
-static bool obj_loose(vs_emitter *e, uint32_t base) {
+/* Writes lines and open faces after the solids. base: number of vertices written before; last: names of the last face
+ * before. Writes `usemtl`, `o` and `g` at each change of material, part and layer. */
+static bool obj_loose(vs_emitter *e, uint32_t base, const obj_names *last) {
   const vs_loose *l = e->state;
   vs_writer *w = e->out;
-  const char *layer = NULL;
+  obj_names names = { NULL, NULL };
   const vs_material *paint = NULL;
   if (l->run_count == 0) return !w->failed;
   vs_puts(w, "# curves as lines, regions and open surfaces as open faces\n");
@@ -470,13 +482,15 @@ static bool obj_loose(vs_emitter *e, uint32_t base) {
   if (!mesh_put(e, l->point_count, MESH_TRIPLE, obj_corners, &points)) return false;
   for (size_t i = 0; i < l->run_count && !w->failed; i++) {
     const vs_loose_run *run = &l->runs[i];
-    if (i == 0 || run->layer != layer) obj_group(w, run->layer != NULL ? run->layer : "default");
+    obj_names own = { run->part, run->layer };
+    if (i == 0) names = *last, names.layer = run->layer == NULL ? "" : NULL; /* the first run always has a line "g" */
+    obj_group(w, names, own);
     if (e->path != NULL && (i == 0 || run->material != paint)) {
       vs_puts(w, "usemtl ");
       obj_material_name(e, run->material);
       vs_puts(w, "\n");
     }
-    layer = run->layer, paint = run->material;
+    names = own, paint = run->material;
     for (size_t k = 0; k < run->count; k++) {
       if (k == 0 || (!run->line && k % 3 == 0)) vs_puts(w, run->line ? "l" : "f");
       vs_puts(w, " ");
@@ -503,8 +517,9 @@ static bool obj_solid(vs_emitter *e, const vs_solid *solid) {
   }
   if (!mesh_put(e, m->vertex_count, MESH_TRIPLE, obj_corners, m)) return false;
   obj_groups groups = { .key_count = 0 };
-  bool ok = obj_groups_make(e, solid, &groups) && obj_faces(e, solid, &groups) &&
-            obj_loose(e, (uint32_t)m->vertex_count);
+  obj_names last = { NULL, NULL };
+  bool ok = obj_groups_make(e, solid, &groups) && obj_faces(e, solid, &groups, &last) &&
+            obj_loose(e, (uint32_t)m->vertex_count, &last);
   obj_groups_free(e, &groups, solid);
   return ok;
 }
@@ -537,5 +552,5 @@ static bool obj_beside(vs_emitter *e) {
 
 const vs_backend vs_backend_obj = {
   .begin = vs_loose_begin, .end = mesh_end, .solid = obj_solid, .numbers = VS_NUMBERS_DIGITS, .beside = obj_beside,
-  VS_LOOSE_SHAPES(VS_TURNS)
+  VS_LOOSE_SHAPES(VS_TURNS | VS_NAMES)
 };

@@ -1,10 +1,10 @@
 /* Writes .3mf packages (3MF core 1.3): the drawing's solids as closed meshes with a material for each triangle, in a
  * zip file that libzip writes.
  *
- * Every distinct part is an object; one more object has the parts' copies as components. Programs disagree about
- * placements that mirror. A mirrored copy is therefore a placement, without mirroring, of a mirrored mesh (twin). The
- * model's XML is collected and compressed in memory, and then written: a zip's directory is at its end, and libzip
- * seeks back and forth. */
+ * Every distinct mesh and every part of the drawing is an object; one more object has the copies and the parts as
+ * components. Programs disagree about placements that mirror. A mirrored copy is therefore a placement, without
+ * mirroring, of a mirrored mesh (twin). The model's XML is collected and compressed in memory, and then written: a
+ * zip's directory is at its end, and libzip seeks back and forth. */
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
@@ -74,13 +74,14 @@ static void model_triangle(vs_emitter *e, const vs_solid_copies *c, const vs_mes
   vs_puts(w, "\"/>\n");
 }
 
-/* Returns the layer that all triangles of the mesh have, or NULL if they have several layers or none. */
+/* Returns the layer that all triangles of the mesh have, or NULL if they have several layers or none, or only the name
+ * of their part. */
 static const char *model_layer(const vs_solid_copies *c, const vs_mesh *m) {
   const char *layer = NULL;
   for (size_t i = 0; i < m->triangle_count; i++) {
     uint32_t tag = m->tags != NULL ? m->tags[i] : 0;
     const char *own = tag < c->part_count ? c->parts[tag].layer : NULL;
-    if (own == NULL || (i > 0 && own != layer)) return NULL;
+    if (own == NULL || own == c->parts[tag].part || (i > 0 && own != layer)) return NULL;
     layer = own;
   }
   return layer;
@@ -127,6 +128,36 @@ static void model_component(vs_emitter *e, const vs_kernel_copy *copy) {
   vs_puts(e->out, "\"/>\n");
 }
 
+/* Returns the part of the drawing to which the copy belongs, or NULL. */
+static const char *model_part(const vs_solid_copies *c, const vs_kernel_copy *copy) {
+  const vs_mesh *m = &c->meshes.meshes[copy->mesh];
+  uint32_t tag = m->tags != NULL && m->triangle_count > 0 ? m->tags[0] : 0;
+  return tag < c->part_count ? c->parts[tag].part : NULL;
+}
+
+/* Writes the objects of the drawing's parts, with the copies of each part as components. Copies of a part follow each
+ * other. Returns the id of the first object; *count: their number. */
+static size_t model_parts(vs_emitter *e, const vs_solid_copies *c, size_t *count) {
+  const vs_kernel_copies *k = &c->meshes;
+  vs_writer *w = e->out;
+  size_t first = model_id(k->mesh_count, false);
+  *count = 0;
+  for (size_t i = 0; i < k->copy_count && !w->failed; i++) {
+    const char *part = model_part(c, &k->copies[i]);
+    if (part == NULL) continue;
+    if (i == 0 || model_part(c, &k->copies[i - 1]) != part) {
+      vs_putf(w, "<object id=\"%zu\" type=\"model\" name=\"", first + (*count)++);
+      vs_put_xml(w, part);
+      vs_puts(w, "\" partnumber=\"");
+      vs_put_xml(w, part);
+      vs_puts(w, "\">\n<components>\n");
+    }
+    model_component(e, &k->copies[i]);
+    if (i + 1 == k->copy_count || model_part(c, &k->copies[i + 1]) != part) vs_puts(w, "</components>\n</object>\n");
+  }
+  return first;
+}
+
 /* Writes the model. plain: array for whether each mesh has a placement that does not mirror; twins: array for whether
  * each mesh has a placement that mirrors. Both arrays have mesh_count items, which are all false before the call. */
 static bool model_write(vs_emitter *e, const vs_solid_copies *c, bool *plain, bool *twins) {
@@ -146,9 +177,11 @@ static bool model_write(vs_emitter *e, const vs_solid_copies *c, bool *plain, bo
     if (twins[i]) model_object(e, c, i, model_id(i, true), true);
     if (!vs_emit_progress(e, "writing", -1)) return false;
   }
-  size_t whole = model_id(k->mesh_count, false);
+  size_t part_count, first = model_parts(e, c, &part_count), whole = first + part_count;
   vs_putf(w, "<object id=\"%zu\" type=\"model\">\n<components>\n", whole);
-  for (size_t i = 0; i < k->copy_count && !w->failed; i++) model_component(e, &k->copies[i]);
+  for (size_t i = 0; i < k->copy_count && !w->failed; i++)
+    if (model_part(c, &k->copies[i]) == NULL) model_component(e, &k->copies[i]);
+  for (size_t i = 0; i < part_count; i++) vs_putf(w, "<component objectid=\"%zu\"/>\n", first + i);
   vs_putf(w, "</components>\n</object>\n</resources>\n<build>\n<item objectid=\"%zu\"/>\n</build>\n</model>\n", whole);
   return !w->failed;
 }
@@ -262,6 +295,7 @@ const vs_backend vs_backend_threemf = { .begin = threemf_nothing,
                                         .end = threemf_nothing,
                                         .copies = threemf_copies,
                                         .numbers = VS_NUMBERS_DIGITS,
+                                        .traits = VS_NAMES,
                                         .omit = { [VS_CURVE] = "3MF holds solids: curves are omitted",
                                                   [VS_REGION_CLASS] = "3MF holds solids: flat regions are omitted",
                                                   [VS_SURFACE] = "3MF holds solids: open surfaces are omitted" } };

@@ -46,9 +46,9 @@ static void put_name(vs_emitter *e, const char *text) {
   vs_putf(e->out, "%s%u\"", *text ? "_" : "p", ++u->prims);
 }
 
-/* The metadata of a prim. shown: the name that programs show; template: number of the template that it inherits, or 0;
- * bound: whether it has a material. */
-typedef struct { const char *shown; uint32_t template; bool bound; } prim_notes;
+/* The metadata of a prim. shown: name for programs; template: number of the template that it inherits, or 0; bound:
+ * whether it has a material; part: whether it is a part of the model. */
+typedef struct { const char *shown; uint32_t template; bool bound, part; } prim_notes;
 
 static void put_notes(vs_emitter *e, prim_notes notes) {
   vs_writer *w = e->out;
@@ -59,6 +59,10 @@ static void put_notes(vs_emitter *e, prim_notes notes) {
     vs_puts(w, "    displayName = ");
     put_text(w, notes.shown);
     vs_puts(w, "\n");
+  }
+  if (notes.part) {
+    put_indent(e);
+    vs_puts(w, "    kind = \"component\"\n");
   }
   if (notes.template > 0) {
     put_indent(e);
@@ -297,13 +301,14 @@ static vs_emit_status usd_line(vs_emitter *e, const vs_ref *ref, vs_phase phase)
   return e->out->failed ? VS_FAILED : VS_EMITTED;
 }
 
-/* Does nothing for placements and paint, because the emitter contains them while shapes are written. A layer is a prim
- * around its objects. */
+/* Does nothing for placements and paint, because the emitter contains them while shapes are written. A layer or a
+ * part is a prim around its objects. */
 static vs_emit_status usd_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
-  if (ref->node->kind != VS_LAYER) return VS_EMITTED;
-  const char *name = VS_AS(layer, ref->node)->name;
+  bool part = ref->node->kind == VS_PART;
+  if (!part && ref->node->kind != VS_LAYER) return VS_EMITTED;
+  const char *name = part ? VS_AS(part, ref->node)->name : VS_AS(layer, ref->node)->name;
   if (phase == VS_PHASE_LEAVE) end_prim(e);
-  else begin_prim(e, "Xform", name, (prim_notes){ .shown = name });
+  else begin_prim(e, "Xform", name, (prim_notes){ .shown = name, .part = part });
   return e->out->failed ? VS_FAILED : VS_EMITTED;
 }
 
@@ -368,6 +373,12 @@ static void put_material(vs_emitter *e, size_t number) {
   end_prim(e);
 }
 
+static bool has_parts(const vs_emitter *e) {
+  for (size_t i = 0; i < e->scene->drawn_count; i++)
+    if (e->scene->drawn[i].node->kind == VS_PART) return true;
+  return false;
+}
+
 static bool usd_begin(vs_emitter *e) {
   vs_writer *w = e->out;
   usd *u = vs_store_realloc(e->scene->store, NULL, 0, sizeof *u);
@@ -379,7 +390,9 @@ static bool usd_begin(vs_emitter *e) {
   vs_put_number(w, vs_scene_metres(e->scene));
   vs_puts(w, "\n    upAxis = \"");
   vs_puts(w, e->options->up_y ? "Y" : "Z");
-  vs_puts(w, "\"\n)\n\ndef Xform \"Model\" (\n    kind = \"component\"\n    displayName = ");
+  vs_puts(w, "\"\n)\n\ndef Xform \"Model\" (\n    kind = \"");
+  vs_puts(w, has_parts(e) ? "assembly" : "component");
+  vs_puts(w, "\"\n    displayName = ");
   put_text(w, e->scene->title);
   vs_puts(w, "\n) {\n");
   put_points(e, "color3f[] primvars:displayColor", (const vs_vec3[1]){ vs_linear_color(vs_v3(0.86, 0.85, 0.83)) }, 1);
@@ -407,5 +420,5 @@ static void usd_close(vs_emitter *e) {
 }
 
 const vs_backend vs_backend_usda = { .begin = usd_begin, .end = usd_end, .close = usd_close,
-                                     .define = usd_define, .use = usd_use, .traits = VS_TURNS,
+                                     .define = usd_define, .use = usd_use, .traits = VS_TURNS | VS_NAMES,
                                      VS_EMIT_SHAPES(usd_leaf, usd_line, usd_through, usd_boolean) };

@@ -68,21 +68,28 @@ static bool bake_is_sheared(const vs_x3d_placed *use) {
   return !vs_affine_is_placement(&use->placement) || vs_affine_determinant(&use->placement) < 0;
 }
 
+/* Bakes the sheared uses of a group that is drawn itself, all of whose templates are baked. */
+static bool bake_drawn(vs_emitter *e, vs_x3d_group *g) {
+  size_t kept = 0;
+  for (size_t i = 0; i < g->use_count; i++) {
+    vs_x3d_placed use = g->uses[i];
+    if (!bake_is_sheared(&use)) g->uses[kept++] = use;
+    else if (!bake_use(e, g, &use)) return false;
+  }
+  g->use_count = kept;
+  return true;
+}
+
 static bool bake_sheared(vs_emitter *e) {
   vs_x3d *x = e->state;
   bool any = false;
   for (size_t k = 0; k < x->group_count; k++)
     for (size_t i = 0; i < x->groups[k].use_count; i++) any |= bake_is_sheared(&x->groups[k].uses[i]);
   if (!any) return true;
-  for (size_t k = 1; k < x->group_count; k++)
+  for (size_t k = 1; k < x->group_count && x->groups[k].part == NULL; k++)
     if (!bake_items(e, &x->groups[k]) || !bake_uses(e, &x->groups[k])) return false;
-  size_t kept = 0;
-  for (size_t i = 0; i < x->groups[0].use_count; i++) {
-    vs_x3d_placed use = x->groups[0].uses[i];
-    if (!bake_is_sheared(&use)) x->groups[0].uses[kept++] = use;
-    else if (!bake_use(e, &x->groups[0], &use)) return false;
-  }
-  x->groups[0].use_count = kept;
+  for (size_t k = 0; k < x->group_count; k++)
+    if ((k == 0 || x->groups[k].part != NULL) && !bake_drawn(e, &x->groups[k])) return false;
   return true;
 }
 
@@ -97,15 +104,15 @@ static bool bake_paint(vs_emitter *e, vs_x3d_group *g, uint32_t paint) {
   return true;
 }
 
-/* Determines the paints with which each template is used. Visits the drawing first, then the templates from the last to
- * the first, so that a template comes after all groups that use it. */
+/* Determines the paints with which each template is used. Visits the drawing first, then its parts, then the templates
+ * from the last to the first, so that a template comes after all groups that use it. */
 static bool bake_paints(vs_emitter *e) {
   vs_x3d *x = e->state;
   for (size_t k = x->group_count; k > 0; k--) {
     vs_x3d_group *g = &x->groups[k % x->group_count];
     for (size_t i = 0; i < g->use_count; i++) {
       const vs_x3d_placed *use = &g->uses[i];
-      bool own = use->paint > 0 || k == x->group_count;
+      bool own = use->paint > 0 || k == x->group_count || g->part != NULL;
       for (size_t p = 0; p < (own ? 1 : g->paint_count); p++)
         if (!bake_paint(e, &x->groups[use->group], own ? use->paint : g->paints[p])) return false;
     }

@@ -42,7 +42,7 @@ typedef struct {
 
 typedef enum { VS_X3D_XML, VS_X3D_CLASSIC } vs_x3d_notation;
 
-/* A group of objects: the drawing (group 0) or a template. */
+/* A group of objects: the drawing (group 0), a template, or a part of the drawing. */
 typedef struct {
   vs_x3d_item *items;
   size_t item_count, item_room;
@@ -53,6 +53,7 @@ typedef struct {
   bool bare;                   /* whether a part of the group has no material, and gets the paint of the group's use */
   uint32_t *paints;            /* paints with which the group is used; only 0 if the group is not bare */
   size_t paint_count, paint_room;
+  const char *part;            /* name of the part; NULL: the group is none */
 } vs_x3d_group;
 
 typedef struct {
@@ -73,7 +74,7 @@ bool vs_x3d_use_template(vs_emitter *e, uint32_t id, const vs_ref *ref);
 
 #define VS_X3D_BACKEND(begin_, end_)                                                                                   \
   .begin = begin_, .end = end_, .close = vs_x3d_close, .define = vs_x3d_define, .use = vs_x3d_use_template,            \
-  .family = "x3d", .traits = VS_FRAMES, .highlights = VS_MARKS_PAINT, \
+  .family = "x3d", .traits = VS_FRAMES | VS_NAMES, .highlights = VS_MARKS_PAINT, \
   VS_EMIT_SHAPES(vs_x3d_leaf, vs_x3d_line, vs_x3d_through, vs_x3d_boolean)
 
 #endif

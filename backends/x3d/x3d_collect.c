@@ -216,9 +216,15 @@ vs_emit_status vs_x3d_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
 }
 
 /* Writes nothing for a placement, paint or union: the emitter contains placement and paint while shapes are written,
- * and the parts of a union are written separately. */
+ * and the members of a union are written separately. A part gets a group of its own. */
 vs_emit_status vs_x3d_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
-  (void)e, (void)ref, (void)phase;
+  vs_x3d *x = e->state;
+  if (ref->node->kind != VS_PART || e->body != NULL) return VS_EMITTED;
+  x->group = 0;
+  if (phase == VS_PHASE_LEAVE) return VS_EMITTED;
+  if (!vs_emit_grow(e, &x->groups, &x->group_room, x->group_count + 1, sizeof *x->groups)) return VS_FAILED;
+  x->group = x->group_count;
+  x->groups[x->group_count++] = (vs_x3d_group){ .bare = true, .part = VS_AS(part, ref->node)->name };
   return VS_EMITTED;
 }
 

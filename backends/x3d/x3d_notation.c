@@ -103,8 +103,12 @@ void vs_x3d_text(vs_emitter *e, const char *name, const char *value, bool many) 
     }
     vs_puts(e->out, "\"");
   } else {
+    char spelled[VS_SPELLED_ROOM];
     if (many) vs_puts(e->out, "\"");
-    vs_put_xml(e->out, value);
+    for (const char *at = value, *end = value + strlen(value); at < end && !e->out->failed;) {
+      if (many && (*at == '"' || *at == '\\')) vs_puts(e->out, "\\");
+      vs_put(e->out, spelled, vs_spell_xml(&at, end, spelled));
+    }
     if (many) vs_puts(e->out, "\"");
   }
   vs_x3d_field_end(e, many);

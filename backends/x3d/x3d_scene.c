@@ -333,6 +333,22 @@ static void scene_templates(vs_emitter *e, bool *said) {
   if (any) vs_x3d_end(e, "Switch", true);
 }
 
+/* Writes the parts of the drawing, each as a Group with its name as metadata. */
+static void scene_parts(vs_emitter *e, bool *said) {
+  const vs_x3d *x = e->state;
+  for (size_t k = 1; k < x->group_count && !e->out->failed; k++) {
+    if (x->groups[k].part == NULL) continue;
+    vs_x3d_node(e, NULL, "Group", NULL);
+    vs_x3d_node(e, "metadata", "MetadataString", NULL);
+    vs_x3d_text(e, "name", "part", false);
+    vs_x3d_text(e, "value", x->groups[k].part, true);
+    vs_x3d_end(e, "MetadataString", false);
+    vs_x3d_children(e);
+    scene_group(e, k, 0, 0, said);
+    vs_x3d_end(e, "Group", true);
+  }
+}
+
 /* ---- around the model ---- */
 
 static void scene_background(vs_emitter *e) {
@@ -456,6 +472,7 @@ bool vs_x3d_scene(vs_emitter *e) {
   vs_x3d_children(e);
   scene_templates(e, said);
   scene_group(e, 0, 0, 0, said);
+  scene_parts(e, said);
   if (e->scene->has_ground) scene_ground(e, &said[vs_emit_material_number(e, e->scene->ground_material)]);
   vs_x3d_end(e, "Transform", true);
   vs_emit_release(e, said, numbers, sizeof *said);

@@ -224,7 +224,7 @@ static vs_status one_object(vs_args *f, const vs_bind_param *p, vs_value v, vs_a
 
 static bool has_no_end(const vs_node *n) { /* returns true for an xline or a ray (infinite lines), perhaps inside
                                             * placements */
-  while (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER) n = n->children[0].node;
+  while (vs_node_is_around(n)) n = n->children[0].node;
   return vs_node_has(n, VS_IS_UNRESOLVED) && !n->child_count;
 }
 

@@ -47,10 +47,10 @@
 (define (%new-model path) (vector path '() 0 (make-hash)))
 (define (%model-path made) (vector-ref made 0))
 
-; layer-name: a string, or #f for none
-(define (%model-add! made layer-name o)
+; layer-name, part-name: a string, or #f for none
+(define (%model-add! made layer-name part-name o)
   (if (not (empty-object? o))
-      (let ((count (+ (vector-ref made 2) 1)))
+      (let ((o (if part-name (part part-name o) o)) (count (+ (vector-ref made 2) 1)))
         (if (> count %model-most)
             (%model-fail (%model-path made) (format "it places more than ~a parts" %model-most)))
         (vector-set! made 2 count)

@@ -6,7 +6,7 @@
   '(("concrete" . 2400) ("plaster" . 1200) ("steel" . 7850) ("copper" . 8960) ("gold" . 19300) ("glass" . 2500) ("wood" . 500)
     ("brick" . 1800) ("stone" . 2600) ("water" . 1000) ("asphalt" . 2300)))
 
-(define %schedule-keys '(name layer material))
+(define %schedule-keys '(name part layer material))
 (define %schedule-sums '(count length area volume mass cost))
 
 (define (%schedule-text x) (if (symbol? x) (symbol->string x) x))
@@ -21,7 +21,7 @@
     ((empty-object? o) '())
     (else
       (let ((kind (object-kind o)) (children (object-children o)))
-        (define (looks? c) (memq (object-kind c) '(layer with-material)))
+        (define (looks? c) (memq (object-kind c) '(layer with-material part)))
         (define (within c) ; what a layer or a material holds
           (cond ((looks? c) (%schedule-objects c))
                 ((eq? (object-kind c) 'unite) (append-map %schedule-objects (object-children c)))
@@ -29,7 +29,7 @@
         (cond
           ((looks? o)
            (let ((look (car (object-arguments o))))
-             (map (lambda (c) (if (eq? kind 'layer) (layer look c) (with-material look c))) (within (car children)))))
+             (map (lambda (c) (case kind ((layer) (layer look c)) ((part) (part look c)) (else (with-material look c)))) (within (car children)))))
           ((and (eq? kind 'unite) (any looks? children)) (append-map %schedule-objects children))
           (else (list o)))))))
 
@@ -93,6 +93,7 @@
   (define (cell o looks c)
     (case c
       ((name) (car looks))
+      ((part) (or (object-part o) ""))
       ((layer) (cadr looks))
       ((material) (caddr looks))
       (else (cond ((procedure? c) (c o)) ((pair? c) ((cdr c) o)) (else (measure o looks c))))))

@@ -86,6 +86,11 @@ const char *cli_file_name(const char *path) {
   return slash ? slash + 1 : path;
 }
 
+char cli_file_letter(char c, bool first) {
+  bool bad = (unsigned char)c < ' ' || c == 127 || strchr("/\\:*?\"<>|%", c) || (first && (c == '.' || c == '-'));
+  return c && bad ? '-' : c;
+}
+
 bool cli_options_is_pattern(const char *path) {
   return *cli_file_name(path) == '%';
 }

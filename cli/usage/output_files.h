@@ -6,6 +6,9 @@
 
 /* Returns the ending of the path with its dot, or NULL if the path has none or is "-". */
 const char *cli_ending_of(const char *path);
+/* Returns c, or a hyphen if c is a control character, a slash or a character with a meaning for a shell. first: c
+ * begins the name of a file. A dot or a hyphen then also becomes a hyphen. */
+char cli_file_letter(char c, bool first);
 /* Returns the path without its folders. */
 const char *cli_file_name(const char *path);
 /* Returns true if the path ends in .png or has no suffix. A path without suffix is a folder for .png pictures. */

@@ -480,7 +480,7 @@ bool vs_node_bounds(const vs_node *n, vs_bounds *out, vs_error *e) {
   bool ok = vs_bounds_memo_get(&m, n, out, e);
   vs_bounds_memo_free(&m);
   const vs_node *below = n;
-  while (below->kind == VS_TRANSFORM || below->kind == VS_MATERIAL || below->kind == VS_LAYER)
+  while (vs_node_is_around(below))
     below = below->children[0].node;
   bool set = below->class_ == VS_REGION_CLASS && (below->kind == VS_INTERSECTION || below->kind == VS_DIFFERENCE);
   return ok && (!set || vs_bounds_is_empty(out) || bounds_of_set(n, out, e));

@@ -237,7 +237,7 @@ static bool inside_prepare(vs_inside_part *part, const vs_nodemap *places, doubl
       if (!vs_affine_invert(&VS_AS(transform, n)->matrix, &part->inverse)) part->bounds = vs_bounds_empty();
       break;
     case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
-    case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_ONLY: break;
+    case VS_NATIVE: case VS_CUSTOM: case VS_PART: case VS_HIGHLIGHT: case VS_ONLY: break;
   }
   part->children = vs_fresh(n->child_count, sizeof *part->children);
   if (!part->children) return vs_error_memory(e, NULL);

@@ -72,7 +72,7 @@ static void turn_round(pieces *p, size_t first) {
 static bool leaf(const vs_node *n, vs_affine map, pieces *out, bool *known) {
   vs_offset_exact exact;
   vs_affine place;
-  while (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER) {
+  while (vs_node_is_around(n)) {
     if (n->kind == VS_TRANSFORM) map = vs_affine_multiply(&map, &VS_AS(transform, n)->matrix);
     n = n->children[0].node;
   }
@@ -99,7 +99,7 @@ static double apart(vs_vec2 p, vs_vec2 q) { return hypot(p.x - q.x, p.y - q.y); 
 
 static bool curve(const vs_node *n, vs_affine map, pieces *out, bool *known) {
   bool ok = true;
-  while (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER) {
+  while (vs_node_is_around(n)) {
     if (n->kind == VS_TRANSFORM) map = vs_affine_multiply(&map, &VS_AS(transform, n)->matrix);
     n = n->children[0].node;
   }
@@ -173,7 +173,7 @@ static moments of_loop(const vs_polyline *p, const vs_affine *map) {
 bool vs_region_moments(const vs_node *region, const vs_outline *o, double *area, vs_vec3 *centroid, bool *known,
                        vs_error *e) {
   vs_affine placed = vs_affine_identity();
-  while (region->kind == VS_TRANSFORM || region->kind == VS_MATERIAL || region->kind == VS_LAYER) {
+  while (vs_node_is_around(region)) {
     if (region->kind == VS_TRANSFORM) placed = vs_affine_multiply(&placed, &VS_AS(transform, region)->matrix);
     region = region->children[0].node;
   }

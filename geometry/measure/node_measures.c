@@ -86,7 +86,7 @@ static bool measure_curves(const vs_node *n, vs_measure *m, vs_error *e) {
     placed[depth] = depth ? placed[depth - 1] : vs_affine_identity();
     if (at.node->kind == VS_TRANSFORM)
       placed[depth] = vs_affine_multiply(&placed[depth], &VS_AS(transform, at.node)->matrix);
-    if (at.node->kind == VS_TRANSFORM || at.node->kind == VS_MATERIAL || at.node->kind == VS_LAYER ||
+    if (vs_node_is_around(at.node) ||
         at.node->kind == VS_UNION)
       continue;
     vs_walk_skip(w);

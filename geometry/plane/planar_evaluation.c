@@ -99,7 +99,7 @@ static bool flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs_fi
         map = vs_affine_multiply(&map, &VS_AS(transform, n)->matrix);
         ref = &n->children[0];
         continue;
-      case VS_MATERIAL: case VS_LAYER: case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_ONLY:
+      case VS_MATERIAL: case VS_LAYER: case VS_NATIVE: case VS_CUSTOM: case VS_PART: case VS_HIGHLIGHT: case VS_ONLY:
         if (!vs_node_is_wrapper(n)) break;
         ref = &n->children[0];
         continue;

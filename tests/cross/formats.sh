@@ -48,6 +48,26 @@ for format in pov scad x3d html glb usda ifc 3mf obj ply off stl tree; do
 done
 cat <<'EOF'
 
+### Parts
+
+A [part](primitives/part.md) keeps its name, and its solids stay apart from those of other parts:
+
+| ending | a part is |
+|---|---|
+| `.glb` | a node around its meshes, with `"extras": {"part": true}` |
+| `.usda` | a prim of the kind `component` |
+| `.ifc` | the name of its elements |
+| `.3mf` | an object with the part's name as `name` and `partnumber` |
+| `.obj` | a group `o`; blanks become `_` |
+| `.x3d` `.x3dv` | a Group with a MetadataString `part` |
+| `.svg` `.pdf` `.dxf`, `--format dxf-3d` | the layer of all objects in no other layer |
+
+All other formats unite the parts. `load-model` reads the parts of `.glb`, `.3mf` and `.x3d` files of `vs`. An output
+with `%p` in its file name, such as `-o '%p.stl'`, becomes a file for each part, in any format. `%p` is the part's name
+with hyphens for slashes and for characters that file names should not have.
+
+### Kinds
+
 - *native*: shapes of the format itself; round shapes stay round
 - *triangles*, *lines*: triangles or straight pieces, as fine as `--tolerance`
 - *rods*, *slabs*: curves become thin rods, flat regions or open surfaces thin slabs; `vs` warns

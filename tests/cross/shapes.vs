@@ -412,6 +412,8 @@
 (shape "with-material/several" (with-material 'copper (make-box origin (xyz 2 3 4)) (make-box (xyz 2 0 0) (xyz 4 3 1))) #:volume 30 #:box (box-of 0 0 0 4 3 4))
 (shape "with-material/made" (with-material (make-material #:name "oak" #:color "#a07040" #:roughness 0.6) (make-cylinder origin 4 2)) #:volume (* 16 pi))
 (shape "layer" (layer "walls" (make-box origin (xyz 2 3 4))) #:volume 24 #:box (box-of 0 0 0 2 3 4))
+(shape "part" (part "leg" (make-box origin (xyz 2 3 4))) #:volume 24 #:box (box-of 0 0 0 2 3 4))
+(shape "part/several" (part "pair" (part "a" (make-box origin (xyz 2 3 4))) (part "b" (make-box (xyz 1 0 0) (xyz 4 3 4)))) #:volume 48 #:box (box-of 0 0 0 4 3 4))
 
 (shape "highlight" (highlight (make-box origin (xyz 2 3 4))) #:volume 24)
 (shape "highlight/cut away" (subtract (make-box (xyz -2 -2 -1) (xyz 2 2 1)) (highlight (make-cylinder (xyz 0 0 -2) 4 1))) #:volume (- 32 (* 2 pi)) #:within 0.003
