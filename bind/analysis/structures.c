@@ -1,5 +1,6 @@
 /* Implements the natives for frames (structures of bars), which library/visualscheme/analysis/ calls. The arguments are
  * vectors of numbers. */
+#include "geometry/structure/plate_matrices.h"
 #include "geometry/structure/structure_modes.h"
 
 #include <math.h>
@@ -50,9 +51,29 @@ static bool take_net(vs_args *f, vs_structure *s) {
   return true;
 }
 
-/* Sets *s from the arguments of (%frame-solve points members held loads lines cases). */
+/* Sets the plates of *s from a vector of six numbers for each: three nodes, thickness, modulus and Poisson's ratio. */
+static bool take_plates(vs_args *f, int argument, vs_structure *s) {
+  enum { NUMBERS = 6 };
+  vs_scheme *vm = vs_call_vm(f);
+  s->plate_count = vs_bind_vector_length(vs_arg_value(f, argument)) / NUMBERS;
+  const double *n = vs_bind_numbers(f, argument, s->plate_count * NUMBERS);
+  vs_structure_plate *p = vs_bind_scratch(f, (s->plate_count + 1) * sizeof *p);
+  if (!n || !p) return false;
+  for (size_t i = 0; i < s->plate_count; i++, n += NUMBERS) {
+    bool ok = n[3] > 0 && n[4] > 0 && n[5] > -1 && n[5] < 0.5;
+    for (int k = 0; k < 3; k++) ok = ok && n[k] >= 0 && n[k] < (double)s->count;
+    if (!ok) return vs_fail(vm, vm->sym.range, "shell %zu is none", i + 1), false;
+    p[i] = (vs_structure_plate){ { (uint32_t)n[0], (uint32_t)n[1], (uint32_t)n[2] }, n[3], n[4], n[5] };
+    vs_vec3 axes[3], at[3] = { s->at[p[i].node[0]], s->at[p[i].node[1]], s->at[p[i].node[2]] };
+    if (!(vs_plate_axes(at, axes) > 0)) return vs_fail(vm, vm->sym.range, "shell %zu has no area", i + 1), false;
+  }
+  s->plates = p;
+  return true;
+}
+
+/* Sets *s from the arguments of (%frame-solve points members held loads lines cases plates). */
 static bool take_structure(vs_args *f, vs_structure *s) {
-  if (!take_net(f, s)) return false;
+  if (!take_net(f, s) || !take_plates(f, 6, s)) return false;
   size_t ways = s->count * VS_WAYS;
   s->cases = (size_t)vs_arg_integer(f, 5);
   s->loads = vs_bind_numbers(f, 3, ways * s->cases);
@@ -79,9 +100,9 @@ static bool mechanism(vs_args *f, const vs_structure_report *report) {
   return false;
 }
 
-/* (%frame-solve points members held loads lines cases): returns a list of four values. They are the nodes' movements,
- * the forces at the bars' ends, the reactions of the supports, and the list of the numbers of loose nodes, counted from
- * 1. */
+/* (%frame-solve points members held loads lines cases plates): returns a list of five values. They are the nodes'
+ * movements, the forces at the bars' ends, the reactions of the supports, the list of the numbers of loose nodes,
+ * counted from 1, and the forces in the plates. */
 vs_status vs_p_frame_solve(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   vs_structure s;
@@ -89,10 +110,12 @@ vs_status vs_p_frame_solve(vs_args *f, vs_value *out) {
   vs_error e = { 0 };
   if (!take_structure(f, &s)) return VS_ERROR;
   size_t ways = s.count * VS_WAYS * s.cases, ends = s.member_count * VS_MEMBER_WAYS * s.cases;
+  size_t plates = s.plate_count * VS_PLATE_FORCES * s.cases;
   vs_structure_state state = { vs_bind_scratch(f, (ways + 1) * sizeof(double)),
                                vs_bind_scratch(f, (ends + 1) * sizeof(double)),
-                               vs_bind_scratch(f, (ways + 1) * sizeof(double)), vs_bind_scratch(f, s.count + 1) };
-  if (!state.moved || !state.ends || !state.reactions || !state.loose) return VS_ERROR;
+                               vs_bind_scratch(f, (ways + 1) * sizeof(double)),
+                               vs_bind_scratch(f, (plates + 1) * sizeof(double)), vs_bind_scratch(f, s.count + 1) };
+  if (!state.moved || !state.ends || !state.reactions || !state.plates || !state.loose) return VS_ERROR;
   vs_long_work work = { vs_bind_keep_going, vm };
   switch (vs_structure_solve(&s, &state, work, &report, &e)) {
   case VS_STRUCTURE_MOVES: return mechanism(f, &report), VS_ERROR;
@@ -102,10 +125,10 @@ vs_status vs_p_frame_solve(vs_args *f, vs_value *out) {
   }
   VS_ROOTS(vm, r, 3);
   r[0] = VS_NIL;
-  bool ok = true;
+  bool ok = vs_bind_give_numbers(f, state.plates, plates, &r[2]) && vs_cons(vm, r[2], VS_NIL, &r[1]);
   for (size_t n = s.count; ok && n-- > 0;)
     if (state.loose[n]) ok = vs_cons(vm, vs_fix((int64_t)n + 1), r[0], &r[0]);
-  ok = ok && vs_cons(vm, r[0], VS_NIL, &r[1]) && vs_bind_give_numbers(f, state.reactions, ways, &r[0]) &&
+  ok = ok && vs_cons(vm, r[0], r[1], &r[1]) && vs_bind_give_numbers(f, state.reactions, ways, &r[0]) &&
        vs_cons(vm, r[0], r[1], &r[1]) && vs_bind_give_numbers(f, state.ends, ends, &r[0]) &&
        vs_cons(vm, r[0], r[1], &r[1]) && vs_bind_give_numbers(f, state.moved, ways, &r[0]) &&
        vs_cons(vm, r[0], r[1], out);

@@ -29,6 +29,24 @@ static void add_lines(const vs_structure *s, size_t c, double *loads) {
 
 typedef struct { vs_structure_system system; vs_structure_state *out; } solved;
 
+/* For load case c, computes the forces in all plates, and adds the plates' forces on nodes to the reactions. */
+static void find_plate_forces(const solved *w, size_t c, double *reactions) {
+  const vs_structure *s = w->system.s;
+  const double *moved = &w->out->moved[c * s->count * VS_WAYS];
+  for (size_t i = 0; i < s->plate_count; i++) {
+    const vs_structure_plate *p = &s->plates[i];
+    vs_plate_matrix k;
+    vs_vec3 at[3];
+    double u[VS_PLATE_WAYS];
+    vs_structure_corners(s, p, at);
+    vs_plate_stiffness(p, at, k);
+    for (int a = 0; a < VS_PLATE_WAYS; a++) u[a] = moved[vs_structure_plate_way(p, a)];
+    for (int a = 0; a < VS_PLATE_WAYS; a++)
+      for (int b = 0; b < VS_PLATE_WAYS; b++) reactions[vs_structure_plate_way(p, a)] += k[a][b] * u[b];
+    vs_plate_forces(p, at, u, &w->out->plates[(c * s->plate_count + i) * VS_PLATE_FORCES]);
+  }
+}
+
 /* For load case c, computes the forces on the ends of all members, and the reactions of the supports. loads: the case's
  * loads on nodes, without those on members. */
 static void find_forces(const solved *w, size_t c, const double *loads) {
@@ -55,6 +73,7 @@ static void find_forces(const solved *w, size_t c, const double *loads) {
     vs_member_to_global(axes, end, global);
     for (int a = 0; a < VS_MEMBER_WAYS; a++) reactions[vs_structure_way(m, a)] += global[a];
   }
+  find_plate_forces(w, c, reactions);
   for (size_t i = 0; i < s->count * VS_WAYS; i++)
     if (!s->held[i]) reactions[i] = 0;
 }
@@ -84,6 +103,7 @@ static bool is_finite(const vs_structure *s, const vs_structure_state *out) {
   double sum = 0; /* 0 times a result is 0, or NaN if the result is infinite; so the sum shows whether all are finite */
   for (size_t i = 0; i < s->cases * s->count * VS_WAYS; i++) sum += 0 * out->moved[i] + 0 * out->reactions[i];
   for (size_t i = 0; i < s->cases * s->member_count * VS_MEMBER_WAYS; i++) sum += 0 * out->ends[i];
+  for (size_t i = 0; i < s->cases * s->plate_count * VS_PLATE_FORCES; i++) sum += 0 * out->plates[i];
   return isfinite(sum);
 }
 

@@ -1,4 +1,5 @@
-/* Declares structures: nodes, and straight members between them that carry forces. Units are metre, newton, pascal.
+/* Declares structures: nodes, and straight members and flat triangles between them that carry forces. Units are metre,
+ * newton, pascal.
  *
  * A node has six degrees of freedom (`ways` in the code): displacements along x, y and z, and rotations about them. A
  * member's own axes are: x from its first node to its second; y horizontal; z upwards as far as the member allows. The
@@ -28,12 +29,20 @@ typedef struct {
                             * hinges carries no torsion */
 } vs_structure_member;
 
+/* A triangle of a shell. */
+typedef struct {
+  uint32_t node[3]; /* indices of the nodes at its corners, which are not on a line */
+  double thickness, modulus, poisson; /* in m; in Pa; ratio from -1 to below 0.5 */
+} vs_structure_plate;
+
 typedef struct {
   const vs_vec3 *at;
   size_t count;
   const vs_structure_member *members; /* the members; their nodes are indices below `count`, and their lengths are above
                                        * 0 */
   size_t member_count;
+  const vs_structure_plate *plates;
+  size_t plate_count;
   const bool *held;    /* held[VS_WAYS * n + i]: true if a support holds degree of freedom i of node n */
   size_t cases;        /* number of load cases */
   const double *loads; /* loads on nodes: VS_WAYS numbers for each node, for each load case; forces in N, then moments
@@ -50,6 +59,8 @@ typedef struct {
                       * VS_MEMBER_WAYS numbers for each member, for each load case */
   double *reactions; /* forces in N and moments in Nm by the supports: VS_WAYS numbers for each node, for each load
                       * case */
+  double *plates;    /* forces in the plates, in their own axes (plate_matrices.h): six numbers for each plate, for
+                      * each load case */
   bool *loose;       /* loose[n]: true if nothing holds node n in some direction; the result is valid because no load
                       * acts in that direction */
 } vs_structure_state;

@@ -30,6 +30,19 @@ static void add_own_stiffness(vs_structure_system *w) {
   }
 }
 
+static void add_plates_stiffness(vs_structure_system *w) {
+  for (size_t i = 0; i < w->s->plate_count; i++) {
+    const vs_structure_plate *p = &w->s->plates[i];
+    vs_plate_matrix k;
+    vs_vec3 at[3];
+    vs_structure_corners(w->s, p, at);
+    vs_plate_stiffness(p, at, k);
+    for (int a = 0; a < VS_PLATE_WAYS; a++)
+      for (int b = a / VS_WAYS * VS_WAYS; b < a / VS_WAYS * VS_WAYS + VS_WAYS; b++)
+        w->own[p->node[a / VS_WAYS]][a % VS_WAYS][b % VS_WAYS] += k[a][b];
+  }
+}
+
 /* ---- nodes that nothing holds ---- */
 
 /* Returns true if a load acts on node n in the direction `motion` in some load case. loads: loads of all nodes, for
@@ -76,11 +89,32 @@ static bool number_node(vs_structure_system *w, size_t n, const double *loads, v
 
 /* ---- equations ---- */
 
+static void assemble_plates(vs_structure_system *w) {
+  for (size_t i = 0; i < w->s->plate_count; i++) {
+    const vs_structure_plate *plate = &w->s->plates[i];
+    vs_plate_matrix k;
+    vs_vec3 at[3];
+    vs_structure_corners(w->s, plate, at);
+    vs_plate_stiffness(plate, at, k);
+    for (int a = 0; a < VS_PLATE_WAYS; a++)
+      for (int b = a; b < VS_PLATE_WAYS; b++) {
+        uint32_t p = w->row[vs_structure_plate_way(plate, a)], q = w->row[vs_structure_plate_way(plate, b)];
+        if (p != VS_HELD && q != VS_HELD) vs_sparse_add(w->equations, p, q, k[a][b]);
+      }
+  }
+}
+
 static bool assemble(vs_structure_system *w, vs_error *e) {
   const vs_structure *s = w->s;
-  enum { MEMBER = VS_MEMBER_WAYS * (VS_MEMBER_WAYS + 1) / 2, NODE = VS_WAYS * (VS_WAYS + 1) / 2 };
-  w->equations = vs_sparse_new(w->rows, s->member_count * MEMBER + s->count * NODE, "frame-solve", e);
+  enum {
+    MEMBER = VS_MEMBER_WAYS * (VS_MEMBER_WAYS + 1) / 2,
+    NODE = VS_WAYS * (VS_WAYS + 1) / 2,
+    PLATE = VS_PLATE_WAYS * (VS_PLATE_WAYS + 1) / 2
+  };
+  size_t entries = s->member_count * MEMBER + s->count * NODE + s->plate_count * PLATE;
+  w->equations = vs_sparse_new(w->rows, entries, "frame-solve", e);
   if (!w->equations) return false;
+  assemble_plates(w);
   for (size_t i = 0; i < s->member_count; i++) {
     vs_member_matrix k;
     vs_vec3 axes[3];
@@ -141,6 +175,7 @@ vs_structure_outcome vs_structure_system_make(vs_structure_system *w, const doub
   w->own = vs_zeros(s->count, sizeof *w->own);
   if (!w->own || !VS_FRESH(w->row, s->count * VS_WAYS)) return vs_error_memory(e, NULL), VS_STRUCTURE_FAILED;
   add_own_stiffness(w);
+  add_plates_stiffness(w);
   for (size_t n = 0; n < s->count; n++)
     if (!number_node(w, n, loads, report)) return VS_STRUCTURE_MOVES;
   for (size_t i = 0; i < w->spin_count; i++) hold_spin(w, &w->spins[i]);

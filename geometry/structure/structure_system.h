@@ -5,6 +5,7 @@
 
 #include "geometry/structure/loose_ways.h"
 #include "geometry/structure/member_matrices.h"
+#include "geometry/structure/plate_matrices.h"
 #include "geometry/structure/sparse_system.h"
 #include "geometry/structure/structure.h"
 
@@ -41,6 +42,14 @@ void vs_structure_system_free(vs_structure_system *w);
  * VS_MEMBER_WAYS - 1. */
 static inline size_t vs_structure_way(const vs_structure_member *m, int i) {
   return (size_t)(i < VS_WAYS ? m->from : m->to) * VS_WAYS + (size_t)(i % VS_WAYS);
+}
+/* The same for the degrees of freedom of a plate's corners; i is 0 to VS_PLATE_WAYS - 1. */
+static inline size_t vs_structure_plate_way(const vs_structure_plate *p, int i) {
+  return (size_t)p->node[i / VS_WAYS] * VS_WAYS + (size_t)(i % VS_WAYS);
+}
+/* Sets at to the corners of a plate. */
+static inline void vs_structure_corners(const vs_structure *s, const vs_structure_plate *p, vs_vec3 at[3]) {
+  for (int i = 0; i < 3; i++) at[i] = s->at[p->node[i]];
 }
 
 #endif

@@ -1,6 +1,6 @@
 ; Analysis of models: structures, heat, plans, and searches. Units are metre, newton, pascal and kilogram.
 (define-library (visualscheme analysis)
-  (export members-of nodes-where nearest-node faces-on snow-load wind-pressure design-cases size-frame member-section
+  (export members-of nodes-where nearest-node faces-on snow-load wind-pressure design-cases size-frame member-section shell-count shell-forces shell-stress shell-picture
     frame frame? frame-solve displacement rotation reaction reaction-moment member-force member-forces case-names combine-cases utilisation
     member-displacement buckling-modes vibration-modes mode? mode-value mode-curves deformed frame-picture color-legend
     u-value heat-balance

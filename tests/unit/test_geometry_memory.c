@@ -170,9 +170,12 @@ static void solving_a_structure_fails_in_turn(void **state) {
   for (size_t i = 0; i < VS_WAYS; i++) held_ways[i] = held_ways[3 * VS_WAYS + i] = free_ways[i < 3 ? i : 0] = true;
   double loads[4 * VS_WAYS] = { 0 }, lines[9] = { 0, 0, -9 }, moved[4 * VS_WAYS], ends[3 * VS_MEMBER_WAYS], reactions[4 * VS_WAYS];
   loads[VS_WAYS] = 1000;
-  vs_structure_state out = { moved, ends, reactions, loose };
+  double plates[6];
+  const vs_structure_plate plate = { { 0, 1, 2 }, 0.02, 210e9, 0.3 };
+  vs_structure_state out = { moved, ends, reactions, plates, loose };
   for (int mechanism = 0; mechanism < 2; mechanism++) {
-    vs_structure s = { at, 4, members, 3, mechanism ? free_ways : held_ways, 1, loads, lines };
+    vs_structure s = { .at = at, .count = 4, .members = members, .member_count = 3, .plates = &plate, .plate_count = mechanism ? 0 : 1,
+                       .held = mechanism ? free_ways : held_ways, .cases = 1, .loads = loads, .lines = lines };
     vs_structure_report report;
     vs_error e = { 0 };
     vs_structure_outcome wanted = mechanism ? VS_STRUCTURE_MOVES : VS_STRUCTURE_DONE, outcome = VS_STRUCTURE_FAILED;

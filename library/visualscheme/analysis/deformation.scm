@@ -79,6 +79,23 @@
                (if (null? (cddr points)) (make-cylinder (first points) (second points) wide) (make-pipe (make-spline points) wide)))))
       (bars-in (result-frame r)) values (iota (member-count (result-frame r)) 1))))
 
+; Returns the triangles of shells, coloured.
+(define (shell-picture r #:show [show any? 'stress] #:factor [factor any? 0] #:case [case any? #f] #:from [from any? 0] #:to [to any? #f])
+  (need-result 'shell-picture r)
+  (need-number 'shell-picture 'factor factor)
+  (need-number 'shell-picture 'from from)
+  (if to (need-number 'shell-picture 'to to))
+  (if (not (memq show '(stress displacement))) (error 'shell-picture "show must be 'stress or 'displacement, got ~s" show))
+  (let* ((f (result-frame r)) (c (case-index 'shell-picture r case)) (name (list-ref (result-cases r) c)) (at (nodes-at f)) (n (shell-count r))
+         (move (lambda (k) (three (result-moved r) (* 6 (+ (* c (node-count f)) (- k 1))))))
+         (corners (map (lambda (p) (take p 3)) (plates-in f)))
+         (values (map (lambda (t i) (if (eq? show 'stress) (shell-stress r i #:case name) (apply max (map (lambda (k) (vlength (move k))) t)))) corners (iota n 1)))
+         (high (or to (apply max from values))))
+    (map (lambda (t v)
+           (let ((p (map (lambda (k) (p+v (vector-ref at k) (v*r (move k) factor))) t)))
+             (color (scale-color v from high) (make-3dface (first p) (second p) (third p) (third p)))))
+      corners values)))
+
 ; Returns a legend of the colours from low to high, upright in the plane of x and z: n fields above p, each with its value.
 (define (color-legend low high #:at [p any? origin] #:size [size any? 1] #:fields [n any? 5] #:format [text any? #f])
   (need-number 'color-legend 'low low)

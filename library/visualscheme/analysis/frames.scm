@@ -5,14 +5,15 @@
 (define-record-type framework (make-framework nodes members parts) frame? (nodes node-count) (members member-count) (parts frame-parts))
 ; nodes: list of points; bars: list of bars; held: vector of 6 numbers a node, 1 where a support holds it; cases: list of a
 ; name and loads
-(define (make-frame nodes bars held cases)
-  (let ((all (list nodes bars (list->vector bars) held cases (list->vector (cons #f nodes))))) (make-framework (length nodes) (length bars) (lambda () all))))
+(define (make-frame nodes bars plates held cases)
+  (let ((all (list nodes bars (list->vector bars) held cases (list->vector (cons #f nodes)) plates))) (make-framework (length nodes) (length bars) (lambda () all))))
 (define (nodes-of f) (first ((frame-parts f))))
 (define (bars-in f) (second ((frame-parts f))))
 (define (bars-at f) (third ((frame-parts f))))
 (define (held-of f) (fourth ((frame-parts f))))
 (define (cases-of f) (fifth ((frame-parts f))))
 (define (nodes-at f) (sixth ((frame-parts f)))) ; a vector, whose indices are the numbers of nodes
+(define (plates-in f) (seventh ((frame-parts f)))) ; lists of three numbers of nodes, thickness and material
 ; from, to: numbers of nodes from 1
 (define-record-type bar (make-bar from to hinged-from hinged-to roll section material length) bar?
   (from bar-from) (to bar-to) (hinged-from bar-hinged-from) (hinged-to bar-hinged-to) (roll bar-roll) (section bar-section)
@@ -128,16 +129,50 @@
 ; ---- frames ----
 
 (define (frame nodes members #:supports [supports any? '()] #:loads [loads any? '()] #:sections [sections any? #f] #:materials [materials any? 's235]
-               #:joints [joints any? 'rigid] #:plane [plane any? #f])
+               #:joints [joints any? 'rigid] #:plane [plane any? #f]
+               #:shells [shells any? '()] #:thickness [thickness any? #f] #:shell-materials [shell-materials any? 'c25/30])
   (if (not (and (pair? nodes) (list? nodes) (every point? nodes))) (error 'frame "nodes must be a list of points, got ~s" nodes))
-  (if (not (and (pair? members) (list? members))) (error 'frame "members must be a list of lists of two nodes, got ~s" members))
+  (if (not (and (list? members) (or (pair? members) (pair? shells)))) (error 'frame "members must be a list of lists of two nodes, got ~s" members))
   (if (not (memq joints '(rigid pinned))) (error 'frame "joints must be 'rigid or 'pinned, got ~s" joints))
-  (if (not sections) (error 'frame "sections must be given: one such as (tube-section 0.1 0.005), or a list with one for each member"))
-  (let* ((count (length nodes)) (bars (bars-of nodes members sections materials joints)) (longest (apply max (map bar-length bars))))
-    (for-each (lambda (m) (check-material-units 'frame m)) (delete-duplicates (map bar-material bars) eq?))
+  (if (and (pair? members) (not sections)) (error 'frame "sections must be given: one such as (tube-section 0.1 0.005), or a list with one for each member"))
+  (let* ((count (length nodes)) (bars (if (null? members) '() (bars-of nodes members sections materials joints))) (longest (apply max 0 (map bar-length bars)))
+         (plates (plates-of nodes shells thickness shell-materials)))
+    (for-each (lambda (m) (check-material-units 'frame m)) (delete-duplicates (append (map fifth plates) (map bar-material bars)) eq?))
     (for-each (lambda (s) (check-section-units 'frame s)) (delete-duplicates (map bar-section bars) eq?))
     (if (> longest 2000) (warn (format "frame: a member is ~a m long: metres are expected, 1 mm is 0.001 m" longest)))
-    (make-frame nodes bars (held-ways supports count plane) (cases-in loads count (length bars)))))
+    (make-frame nodes bars plates (held-ways supports count plane) (cases-in loads count (length bars)))))
+
+; ---- shells ----
+
+; Returns the triangles of a face: a face of four corners is cut along its shorter diagonal.
+(define (triangles-of face at)
+  (if (null? (cdddr face)) (list face)
+      (let* ((p (lambda (k) (vector-ref at (list-ref face k)))) (n (lambda (k) (list-ref face k))))
+        (if (<= (distance (p 0) (p 2)) (* (+ 1 1e-9) (distance (p 1) (p 3)))) (list (list (n 0) (n 1) (n 2)) (list (n 0) (n 2) (n 3))) (list (list (n 0) (n 1) (n 3)) (list (n 1) (n 2) (n 3)))))))
+
+(define (plates-of nodes faces thickness materials)
+  (if (not (list? faces)) (error 'frame "shells must be a list of faces, got ~s" faces))
+  (if (null? faces) '()
+      (let ((at (list->vector (cons #f nodes))) (count (length nodes)) (n (length faces)))
+        (if (not thickness) (error 'frame "thickness must be given for shells: a number in m, or a list with one for each face"))
+        (append-map
+          (lambda (f number t m)
+            (if (not (and (list? f) (<= 3 (length f) 4))) (error 'frame "shell ~a must be a list of three or four nodes, got ~s" number f))
+            (for-each (lambda (k) (need-node 'frame (format "shell ~a" number) k count)) f)
+            (let ((poisson (- (/ (modulus-of m) 2 (shear-of m)) 1)))
+              (if (not (<= -0.99 poisson 0.499)) (error 'frame "shell ~a is of ~a, whose shear modulus is not that of a material equal in all directions" number (material-kind m)))
+              (map (lambda (t3)
+                     (let ((p (map (lambda (k) (vector-ref at k)) t3)))
+                       (if (<= (vlength (cross (p->q (first p) (second p)) (p->q (first p) (third p)))) (* 1e-12 (square (distance (first p) (second p)))))
+                           (error 'frame "shell ~a has no area: its nodes are ~s" number f))
+                       (append t3 (list t m))))
+                (triangles-of f at))))
+          faces (iota n 1)
+          (one-each 'thickness thickness n (lambda (t) (need-positive 'frame 'thickness t) (if (> t 5) (warn (format "frame: a shell is ~a m thick: metres are expected, 1 mm is 0.001 m" t))) t))
+          (one-each 'shell-materials materials n (lambda (m) (material-of 'frame m)))))))
+
+(define (plate-numbers plates)
+  (list->vector (append-map (lambda (p) (let ((m (fifth p))) (list (- (first p) 1) (- (second p) 1) (- (third p) 1) (fourth p) (modulus-of m) (- (/ (modulus-of m) 2 (shear-of m)) 1)))) plates)))
 
 ; Writes the numbers of the members into a vector, as the core needs them.
 (define (member-numbers bars)
@@ -174,15 +209,22 @@
     (for-each (lambda (number here before) (take! number (v+v whole (v/r (v+v here before) 3)))) face parts (cons (last parts) (drop-right parts 1)))))
 
 ; Adds the loads of a case to those of nodes and of members, of which the case's begin at the numbers n0 and m0.
-(define (add-case! case bars at nodes lines n0 m0)
+(define (add-case! case bars plates at nodes lines n0 m0)
   (define (every-member g factor)
     (for-each (lambda (b k) (add-at! lines (+ m0 (* 3 k)) g (factor b))) bars (iota (length bars))))
+  (define (plates-weight g)
+    (for-each
+      (lambda (p)
+        (let* ((corners (map (lambda (n) (vector-ref at n)) (list (first p) (second p) (third p))))
+               (area (/ (vlength (cross (p->q (first corners) (second corners)) (p->q (first corners) (third corners)))) 2)))
+          (for-each (lambda (n) (add-at! nodes (+ n0 (* 6 (- n 1))) g (/ (* area (fourth p) (density-of (fifth p))) 3))) (list (first p) (second p) (third p)))))
+      plates))
   (define (weight b) (* (section-area (bar-section b)) (density-of (bar-material b))))
   (for-each
     (lambda (l)
       (cond
-        ((eq? l 'weight) (every-member (vxyz 0 0 (- gravity)) weight))
-        ((eq? (car l) 'weight) (every-member (cadr l) weight))
+        ((eq? l 'weight) (every-member (vxyz 0 0 (- gravity)) weight) (plates-weight (vxyz 0 0 (- gravity))))
+        ((eq? (car l) 'weight) (every-member (cadr l) weight) (plates-weight (cadr l)))
         ((memq (car l) '(faces plan))
          (for-each (lambda (f) (add-face! f (third l) (eq? (car l) 'plan) at (lambda (n g) (add-at! nodes (+ n0 (* 6 (- n 1))) g 1)))) (cadr l)))
         ((eq? (car l) 'members) (every-member (cadr l) (lambda (b) 1)))
@@ -200,9 +242,9 @@
   (need-frame 'frame-solve f)
   (let* ((bars (bars-in f)) (cases (cases-of f)) (n (length (nodes-of f))) (m (length bars)) (c (length cases))
          (nodes (make-vector (* 6 n c) 0)) (lines (make-vector (* 3 m c) 0)))
-    (for-each (lambda (case k) (add-case! case bars (nodes-at f) nodes lines (* 6 n k) (* 3 m k))) cases (iota c))
-    (let ((found (core:frame-solve (nodes-of f) (member-numbers bars) (held-of f) nodes lines c)))
+    (for-each (lambda (case k) (add-case! case bars (plates-in f) (nodes-at f) nodes lines (* 6 n k) (* 3 m k))) cases (iota c))
+    (let ((found (core:frame-solve (nodes-of f) (member-numbers bars) (held-of f) nodes lines c (plate-numbers (plates-in f)))))
       (if (pair? (fourth found))
           (warn (format "frame-solve: node ~a is free to move where nothing loads it, and was held there~a" (first (fourth found))
                   (if (pair? (cdr (fourth found))) (format "; ~a more nodes, too; #:plane holds a flat frame" (- (length (fourth found)) 1)) ""))))
-      (make-result f (map car cases) (first found) (second found) (third found)))))
+      (make-result f (map car cases) (first found) (second found) (third found) (fifth found)))))

@@ -10,13 +10,14 @@
            (let ((all (list f parts (vector-copy shapes (* k each) (* (+ k 1) each))))) (make-mode v (lambda () all))))
          (vector->list (first found)) (iota (vector-length (first found))))))
 
-(define (need-modes who modes segments)
+(define (need-modes who f modes segments)
+  (if (pair? (plates-in f)) (error who "the frame has shells: modes are those of members"))
   (if (not (and (exact-integer? modes) (<= 1 modes 1000))) (error who "modes must be an exact integer from 1 to 1000, got ~s" modes))
   (if (not (and (exact-integer? segments) (<= 1 segments 64))) (error who "segments must be an exact integer from 1 to 64, got ~s" segments)))
 
 (define (buckling-modes r #:case [case any? #f] #:modes [modes any? 1] #:segments [segments any? 8])
   (need-result 'buckling-modes r)
-  (need-modes 'buckling-modes modes segments)
+  (need-modes 'buckling-modes (result-frame r) modes segments)
   (let* ((f (result-frame r)) (m (member-count f)) (c (case-index 'buckling-modes r case)) (axial (make-vector (* 2 m) 0)))
     (do ((i 0 (+ i 1))) ((= i m))
       (let ((at (* 12 (+ (* c m) i))))
@@ -27,7 +28,7 @@
 
 (define (vibration-modes f #:masses [masses any? '()] #:modes [modes any? 1] #:segments [segments any? 8])
   (need-frame 'vibration-modes f)
-  (need-modes 'vibration-modes modes segments)
+  (need-modes 'vibration-modes f modes segments)
   (let* ((m (member-count f)) (all (make-vector (+ m (node-count f)) 0)))
     (for-each (lambda (b i) (vector-set! all i (* (section-area (bar-section b)) (bar-length b) (density-of (bar-material b))))) (bars-in f) (iota m))
     (if (not (and (list? masses) (every (lambda (x) (and (list? x) (= (length x) 2) (real? (second x)) (finite? (second x)) (>= (second x) 0))) masses)))

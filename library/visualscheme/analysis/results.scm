@@ -4,11 +4,12 @@
 ; reactions: 6 numbers a node; ends: 12 numbers a member, forces and moments on its ends, on its own axes. Each vector has
 ; all this for one case after another.
 (define-record-type frame-result (make-frame-result cases numbers) result? (cases result-cases) (numbers result-numbers))
-(define (make-result frame cases moved ends reactions) (let ((all (list frame moved ends reactions))) (make-frame-result cases (lambda () all))))
+(define (make-result frame cases moved ends reactions plates) (let ((all (list frame moved ends reactions plates))) (make-frame-result cases (lambda () all))))
 (define (result-frame r) (first ((result-numbers r))))
 (define (result-moved r) (second ((result-numbers r))))
 (define (result-ends r) (third ((result-numbers r))))
 (define (result-reactions r) (fourth ((result-numbers r))))
+(define (result-plates r) (fifth ((result-numbers r)))) ; 6 numbers a shell
 
 (define (need-result who r) (if (not (result? r)) (error who "r must be a result of frame-solve, got ~s" r)))
 
@@ -87,4 +88,24 @@
               (cdr c)))
           combinations (iota (length combinations)))
         out))
-    (make-result (result-frame r) (map car combinations) (sums (result-moved r)) (sums (result-ends r)) (sums (result-reactions r)))))
+    (make-result (result-frame r) (map car combinations) (sums (result-moved r)) (sums (result-ends r)) (sums (result-reactions r)) (sums (result-plates r)))))
+
+; ---- shells ----
+
+(define (shell-count r) (need-result 'shell-count r) (length (plates-in (result-frame r))))
+
+; Returns the six forces in the middle of a shell's triangle.
+(define (shell-forces r i #:case [case any? #f])
+  (need-result 'shell-forces r)
+  (let ((count (shell-count r)))
+    (if (not (and (exact-integer? i) (<= 1 i count))) (error 'shell-forces "i must be a shell from 1 to ~a, got ~s" count i))
+    (let ((at (* 6 (+ (* count (case-index 'shell-forces r case)) (- i 1))))) (map (lambda (k) (vector-ref (result-plates r) (+ at k))) (iota 6)))))
+
+; Returns the greater of the stresses of both sides that count for yielding (von Mises).
+(define (shell-stress r i #:case [case any? #f])
+  (let* ((f (shell-forces r i #:case case)) (t (fourth (list-ref (plates-in (result-frame r)) (- i 1)))))
+    (apply max
+      (map (lambda (side)
+             (let ((s (map (lambda (n m) (+ (/ n t) (* side (/ (* 6 m) t t)))) (take f 3) (drop f 3))))
+               (sqrt (+ (square (first s)) (square (second s)) (- 0 (* (first s) (second s))) (* 3 (square (third s)))))))
+        '(1 -1)))))

@@ -4,7 +4,7 @@
 (define (with-sections f sections)
   (make-frame (nodes-of f)
     (map (lambda (b s) (make-bar (bar-from b) (bar-to b) (bar-hinged-from b) (bar-hinged-to b) (bar-roll b) s (bar-material b) (bar-length b))) (bars-in f) sections)
-    (held-of f) (cases-of f)))
+    (plates-in f) (held-of f) (cases-of f)))
 
 (define (member-section r i)
   (member-index 'member-section r i (car (result-cases r)) 12)
