@@ -22,7 +22,7 @@ paths="/etc/passwd /etc/hostname ../secret.vs ./../secret.vs sub/../../secret.vs
     for use in '(load "P")' "(eval '(include \"P\") (interaction-environment))" "(eval '(require \"P\") (interaction-environment))" '(display (read-line (open-input-file "P")))' '(display (file-exists? "P"))' \
       '(call-with-input-file "P" (lambda (p) (display (read-line p))))' '(with-input-from-file "P" read-line)' '(display (load-mesh "P"))' \
       '(display (make-height-field "P" (xyz 0 0 0) (xyz 1 1 0)))' '(sky #:image "P")' '(display (make-material #:image "P"))' '(lamp (xyz 0 0 9) #:ies "P")' '(make-text (xyz 0 0 0) 1 "a" #:font "P.ttf")' '(open-output-file "P")' '(delete-file "P")' \
-      '(write (directory-files "P"))' '(display (file->string "P"))' '(display (load-csv "P"))' '(display (load-json "P"))' '(display (file->lines "P"))' '(write-json 1 "P")'; do
+      '(write (directory-files "P"))' '(display (file->string "P"))' '(display (load-csv "P"))' '(display (load-json "P"))' '(display (file->lines "P"))' '(write-json 1 "P")' '(write-xlsx "P" (list (list 1)))'; do
       printf '(guard (e (#t (display "refused "))) %s)\n' "$use" | sed "s|P\"|$path\"|; s|\"P.ttf|\"$path.ttf|"
     done
   done

@@ -233,7 +233,52 @@
 ; Writes rows, lists of cells, as a file of comma-separated values.
 (define (write-csv file rows #:separator [separator any? #\,])
   (%need-string 'write-csv file)
+  (if (string-suffix? file ".xlsx") (error 'write-csv "write-xlsx writes ~a" file))
   (if (not (and (list? rows) (every list? rows))) (error 'write-csv "rows must be a list of lists, got ~s" rows))
   (if (not (char? separator)) (error 'write-csv "#:separator must be a character, got ~s" separator))
   (let ((lines (map (lambda (row) (string-append (string-join (map (lambda (x) (%csv-cell x separator)) row) (string separator)) "\n")) rows)))
     (call-with-output-file file (lambda (port) (for-each (lambda (l) (write-string l port)) lines)))))
+
+; The marks before each sheet's name, row and cell in the text of %write-xlsx.
+(define %sheet-mark (string #\x1d))
+(define %row-mark (string #\x1e))
+(define %cell-mark (string #\x1f))
+
+; Returns a letter for the kind of a cell, then its value.
+(define (%xlsx-cell x)
+  (define (text s)
+    (if (> (string-length s) 32767) (error 'write-xlsx "a cell has at most 32767 characters, got ~s" (string-length s)))
+    (string-append "s" (string-map (lambda (c) (if (or (and (char<? c #\space) (not (memv c '(#\newline #\tab)))) (memv c '(#\xfffe #\xffff))) #\space c)) s)))
+  (cond
+    ((string? x) (text x))
+    ((not x) "")
+    ((eq? x #t) "b")
+    ((and (real? x) (finite? (inexact x))) (string-append (if (exact-integer? x) "i" "r") (number->string (inexact x))))
+    (else (text (call-with-output-string (lambda (port) (display x port)))))))
+
+(define (%need-sheet-name name others)
+  (cond
+    ((or (string=? name "") (> (string-length name) 31) (string-index name (lambda (c) (or (char<? c #\space) (memv c (string->list "[]:*?/\\")))))
+         (string-prefix? name "'") (string-suffix? name "'"))
+     (error 'write-xlsx "the name of a sheet has 1 to 31 characters without [ ] : * ? / \\, got ~s" name))
+    ((member name others string-ci=?) (error 'write-xlsx "two sheets have the name ~s" name))))
+
+; Writes sheets, each rows or a pair of a name and rows, as a workbook of Excel. The first row of a sheet is the head.
+(define (write-xlsx file #:digits [digits any? #f] . sheets)
+  (%need-string 'write-xlsx file)
+  (if digits (%need-digits 'write-xlsx digits))
+  (if (null? sheets) (error 'write-xlsx "takes rows, such as those of schedule, or pairs of a name and rows"))
+  (define (named? sheet) (and (pair? sheet) (string? (car sheet))))
+  (define names (map (lambda (sheet i) (if (named? sheet) (car sheet) (format "Sheet~a" i))) sheets (iota (length sheets) 1)))
+  (define (rows-of sheet)
+    (let ((rows (if (named? sheet) (cdr sheet) sheet)))
+      (if (not (and (list? rows) (every list? rows))) (error 'write-xlsx "rows must be a list of lists, got ~s" rows))
+      (if (or (> (length rows) 1048576) (any (lambda (row) (> (length row) 16384)) rows))
+          (error 'write-xlsx "a sheet has at most 1048576 rows of 16384 cells"))
+      rows))
+  (define (row-text row) (string-append %row-mark (string-join (map (lambda (x) (string-append %cell-mark (%xlsx-cell x))) row) "")))
+  (let check ((names names) (others '()))
+    (when (pair? names) (%need-sheet-name (car names) others) (check (cdr names) (cons (car names) others))))
+  (%write-xlsx file
+               (string-join (append-map (lambda (name sheet) (cons (string-append %sheet-mark name) (map row-text (rows-of sheet)))) names sheets) "")
+               (or digits -1)))

@@ -1,8 +1,8 @@
 ; Quantities and costs of a pavilion, and a cut list of its rafters: on the plan (vs quantities.vs -o plan.pdf), and
-; with -D save=#t also as files for the office, quantities.csv and rafters.csv
+; with -D save=#t also as files for the office: quantities.csv, rafters.csv, and both as pavilion.xlsx
 
 (define-parameter bays 5 #:min 2 #:max 12 #:label "bays")
-(define-parameter save #f #:label "write .csv files")
+(define-parameter save #f #:label "write .csv and .xlsx")
 
 (define bay 3.6)
 (define long (* bays bay))
@@ -31,4 +31,5 @@
 
 (when save
   (write-csv "quantities.csv" quantities)
-  (write-csv "rafters.csv" cuts))
+  (write-csv "rafters.csv" cuts)
+  (write-xlsx "pavilion.xlsx" (cons "Quantities" quantities) (cons "Rafters" cuts)))

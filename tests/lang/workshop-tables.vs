@@ -79,3 +79,22 @@
 (fails (write-csv 3 '()))                                  ; expect: write-csv: expected a string, got 3
 (fails (write-csv "a.csv" '(1)))                           ; expect: write-csv: rows must be a list of lists, got (1)
 (fails (write-csv "/nowhere/at/all.csv" '((1))))           ; expect: open-output-file: cannot open /nowhere/at/all.csv: no such file
+(fails (write-csv "a.xlsx" '((1))))                        ; expect: write-csv: write-xlsx writes a.xlsx
+
+; workbooks: tests/workers/cutting.sh reads their cells
+(define book (format "/tmp/vs-tables-~a.xlsx" (current-jiffy)))
+(write-xlsx book rows (cons "walls" (schedule walls 'layer 'count)))
+(define first-bytes (call-with-port (open-binary-input-file book) (lambda (p) (read-bytevector 1000000 p))))
+(displayln (utf8->string first-bytes 0 2))                 ; expect: PK
+(write-xlsx book rows (cons "walls" (schedule walls 'layer 'count)))
+(displayln (equal? first-bytes (call-with-port (open-binary-input-file book) (lambda (p) (read-bytevector 1000000 p))))) ; expect: #t
+(delete-file book)
+(fails (write-xlsx "a.xlsx"))                              ; expect: write-xlsx: takes rows, such as those of schedule, or pairs of a name and rows
+(fails (write-xlsx "a.xlsx" '(1)))                         ; expect: write-xlsx: rows must be a list of lists, got (1)
+(fails (write-xlsx "a.xlsx" (cons "a/b" '((1)))))          ; expect: write-xlsx: the name of a sheet has 1 to 31 characters without [ ] : * ? / \, got "a/b"
+(fails (write-xlsx "a.xlsx" (cons "it's'" '((1)))))        ; expect: write-xlsx: the name of a sheet has 1 to 31 characters without [ ] : * ? / \, got "it's'"
+(fails (write-xlsx "a.xlsx" (cons "a" '((1))) (cons "A" '((1))))) ; expect: write-xlsx: two sheets have the name "A"
+(fails (write-xlsx 3 '((1))))                              ; expect: write-xlsx: expected a string, got 3
+(fails (write-xlsx "a.xlsx" '((1)) #:digits 1.5))          ; expect: write-xlsx: digits must be an exact integer from 0 to 15, got 1.5
+(fails (write-xlsx "a.xlsx" (list (list (make-string 40000 #\a))))) ; expect: write-xlsx: a cell has at most 32767 characters, got 40000
+(fails (write-xlsx "/nowhere/at/all.xlsx" '((1))))         ; expect: write-xlsx: cannot open /nowhere/at/all.xlsx: no such file

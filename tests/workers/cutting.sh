@@ -1,5 +1,5 @@
 # Tests the files for a laser or a plotter as other programs read them: outlines, slices, a net and packed sheets, by
-# layer. ezdxf measures lengths and colours, Inkscape the extent of each layer.
+# layer. ezdxf measures lengths and colours, Inkscape the extent of each layer. openpyxl reads the cells of workbooks.
 . tests/report.sh
 
 wanted cutting || exit 0
@@ -78,3 +78,68 @@ EOF
 else
   echo "skip cutting/inkscape: no inkscape"
 fi
+
+# Each kind of cell in a workbook, and the same bytes at another hour and place.
+cat > book.vs <<'EOF'
+(define walls (layer "walls" (make-box origin (xyz 5 0.5 3)) (make-box origin (xyz 4 0.5 3))))
+(random-seed 7)
+(define (cell i)
+  (case (modulo i 8)
+    ((0) (random-range -1e9 1e9)) ((1) (- (random 2000000) 1000000)) ((2) (/ (random 1000) 7)) ((3) (list-ref '(#t #f "") (random 3)))
+    ((4) (list-ref '("=1+1" "a,\"b\"" " two\nlines " "<&> äβ漢😀" "007" "1e5") (random 6))) ((5) (string->symbol "layer name"))
+    ((6) (* (random-range -1. 1.) (expt 10. (- (random 600) 300)))) (else (list-ref (list +inf.0 -inf.0 +nan.0) (random 3)))))
+(define rows (for/list ([r 40]) (for/list ([i (+ 1 (random 30))]) (cell (+ i r)))))
+(write-xlsx "book.xlsx" #:digits 3 (cons "Größen" (schedule walls 'layer 'count 'volume)) rows)
+(define (spelt x) ; kind and text of a cell
+  (cond ((or (not x) (equal? x "")) "-") ((eq? x #t) "b True") ((and (real? x) (finite? x)) (format "n ~a" (number->string (inexact x))))
+        (else (format "s ~a" (string-replace (format "~a" x) "\n" "|")))))
+(call-with-output-file "wanted.txt"
+  (lambda (p) (for ([row rows]) (for ([x row]) (display (spelt x) p) (newline p)) (display "end" p) (newline p))))
+EOF
+if /usr/bin/python3 -c 'import openpyxl' 2> /dev/null; then
+  : > said
+  "$vs" -q book.vs > said 2>&1 && mv book.xlsx first.xlsx
+  TZ=Asia/Tokyo TMPDIR=$work "$vs" -q book.vs >> said 2>&1
+  cmp first.xlsx book.xlsx >> said 2>&1
+  /usr/bin/python3 - >> said 2>&1 <<'EOF'
+import openpyxl, zipfile
+assert all(i.date_time == (1980, 1, 1, 0, 0, 0) for i in zipfile.ZipFile('book.xlsx').infolist()), 'a part has a date'
+book = openpyxl.load_workbook('book.xlsx')
+assert book.sheetnames == ['Größen', 'Sheet2'], book.sheetnames
+table, other = book
+assert [[c.value for c in r] for r in table] == [['layer', 'count', 'volume'], ['walls', 2, 13.5]], list(table.values)
+assert table['A1'].font.b and not table['A2'].font.b, 'the head is bold, and no other row'
+assert (table['B2'].number_format, table['C2'].number_format) == ('General', '0.000'), 'integers show no decimals'
+assert table.freeze_panes == 'A2', table.freeze_panes
+rows = open('wanted.txt', encoding='utf-8').read().split('end\n')[:-1]
+count = 0
+for r, row in enumerate(rows, 1):
+    cells = row.splitlines()
+    for c, wanted in enumerate(cells + ['-'], 1):
+        cell = other.cell(r, c); x = cell.value; count += 1
+        found = '-' if x is None else f'b {x}' if cell.data_type == 'b' else f'n {x!r}' if cell.data_type == 'n' else 's ' + x.replace('\n', '|')
+        near = wanted[:2] == found[:2] == 'n ' and abs(float(wanted[2:]) - x) <= 1e-15 * abs(x)
+        if not near and wanted != found: print(f'row {r}, cell {c} is {found}, not {wanted}')
+if count < 400: print('only', count, 'cells')
+EOF
+  ls -d visualscheme-workbook-* >> said 2> /dev/null
+  result cutting/workbook said
+else
+  echo "skip cutting/workbook: no python3-openpyxl"
+fi
+
+# A workbook that cannot be written: one message, and an exit code.
+echo '(write-xlsx "there/book.xlsx" (list (list 1)))' > nowhere.vs
+echo '(write-xlsx "book.xlsx" (list (list 1)))' > untemporary.vs
+cat > wanted <<'EOF'
+nowhere.vs:1:1: write-xlsx: cannot open there/book.xlsx: no such file
+exit 1
+untemporary.vs:1:1: write-xlsx: no temporary file can be made in /nowhere
+exit 1
+EOF
+{
+  "$vs" -q nowhere.vs > told 2>&1; echo "exit $?" >> told
+  TMPDIR=/nowhere "$vs" -q untemporary.vs >> told 2>&1; echo "exit $?" >> told
+  grep -v '^ ' told | diff - wanted || true
+} > said 2>&1
+result cutting/unwritable-workbook said
