@@ -15,8 +15,8 @@
       (flatten all))
     (map (lambda (p) (if (list? p) (unite p) p)) all)))
 
-; Returns the name of part number i: its layer, or i.
-(define (part-title o i) (or (object-layer o) i))
+; Returns the title of part number i: its name, else its layer, else i.
+(define (part-title o i) (or (object-part o) (object-layer o) i))
 
 (define clash-kinds '#(overlap touch near))         ; the order of vs_clash_kind
 
