@@ -157,7 +157,7 @@
 (define (faces-solid all gables)
   (let* ((foot (apply min (append-map (lambda (f) (map cz (cdr f))) all)))
          (down (lambda (p) (xyz (cx p) (cy p) foot)))
-         (level? (lambda (f) (and (car f) (not (memv (car f) gables))))))
+         (level? (lambda (f) (and (car f) (not (memv (car f) gables)) (> (abs (turn (cdr f))) 1e-9)))))
     (call-with-values numbering
       (lambda (number points)
         (define (closed f)

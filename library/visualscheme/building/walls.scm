@@ -1,10 +1,10 @@
 ; Walls: layers along a path, openings, and joints with other walls.
 
 ; slabs: what a wall is in plan, a list of (bottom top layers), the layers from the right, each a list of areas: a loop, or
-; an outer loop with its hole.
-(define-record-type walling (make-walling points closed offsets materials core base height slabs openings name) walling?
+; an outer loop with its hole. under: a solid that contains all of the wall, or #f.
+(define-record-type walling (make-walling points closed offsets materials core base height slabs openings name under) walling?
   (points walling-points) (closed walling-closed) (offsets walling-offsets) (materials walling-materials) (core walling-core)
-  (base walling-base) (height walling-height) (slabs walling-slabs) (openings walling-openings) (name walling-name))
+  (base walling-base) (height walling-height) (slabs walling-slabs) (openings walling-openings) (name walling-name) (under walling-under))
 (define-record-type hole (make-hole* kind at width height sill fill) hole?
   (kind hole-kind) (at hole-at) (width hole-width) (height hole-height) (sill hole-sill) (fill hole-fill))
 
@@ -52,7 +52,7 @@
                            (else (error 'wall "align must be 'centre, 'left or 'right, got ~s" align))))
            (offsets (sums first-offset (map first layers))) (materials (map second layers)) (core (core-of layers)))
       (drawn-wall (make-walling points closed offsets materials core (+ base z) height
-                    (list (list (+ base z) (+ base z height) (lone-plan points closed offsets materials core))) '() name)))))
+                    (list (list (+ base z) (+ base z height) (lone-plan points closed offsets materials core))) '() name #f)))))
 
 ; Returns the areas of a wall's layers without joints.
 (define (lone-plan points closed offsets materials core)
@@ -78,7 +78,7 @@
 (define (layer-solids data)
   (map (lambda (material k)
          (in-material material
-           (unite (map (lambda (s) (map (lambda (a) (area-solid a (first s) (second s))) (list-ref (third s) k))) (walling-slabs data)))))
+           (below-roof data (map (lambda (s) (map (lambda (a) (area-solid a (first s) (second s))) (list-ref (third s) k))) (walling-slabs data)))))
     (walling-materials data) (iota (length (walling-materials data)))))
 
 (define (wall-layers w) (layer-solids (data-of 'wall-layers w)))
@@ -93,10 +93,32 @@
 
 (define (with-slabs d slabs)
   (make-walling (walling-points d) (walling-closed d) (walling-offsets d) (walling-materials d) (walling-core d) (walling-base d)
-    (walling-height d) slabs (walling-openings d) (walling-name d)))
+    (walling-height d) slabs (walling-openings d) (walling-name d) (walling-under d)))
 (define (with-hole d h)
   (make-walling (walling-points d) (walling-closed d) (walling-offsets d) (walling-materials d) (walling-core d) (walling-base d)
-    (walling-height d) (walling-slabs d) (append (walling-openings d) (list h)) (walling-name d)))
+    (walling-height d) (walling-slabs d) (append (walling-openings d) (list h)) (walling-name d) (walling-under d)))
+(define (with-roof d top under)
+  (let* ((slabs (walling-slabs d)) (highest (last slabs)))
+    (make-walling (walling-points d) (walling-closed d) (walling-offsets d) (walling-materials d) (walling-core d) (walling-base d)
+      (- top (walling-base d)) (append (drop-right slabs 1) (list (list (first highest) top (third highest)))) (walling-openings d)
+      (walling-name d) under)))
+(define (below-roof data solids) (if (walling-under data) (intersect (unite solids) (walling-under data)) (unite solids)))
+
+; Returns the walls, joined, which go up to the planes of a roof: its faces, or the thickness below them. Below the eaves, the
+; walls may be beside the roof. Several walls are joined again, because all have other heights now.
+(define (walls-under walls faces #:thickness [thickness any? 0])
+  (check-faces 'walls-under faces)
+  (if (not (and (real? thickness) (finite? thickness) (>= thickness 0))) (error 'walls-under "thickness must be a number of 0 or more, got ~s" thickness))
+  (let* ((data (map (lambda (w) (data-of 'walls-under w)) (flatten (list walls)))) (points (append-map cdr faces))
+         (foot (- (apply min (map cz points)) thickness)) (top (- (apply max (map cz points)) thickness)))
+    (if (null? data) '()
+        (let* ((corners (append points (append-map walling-points data))) (low (apply min (map walling-base data)))
+               (edge (lambda (f get d) (+ (apply f (map get corners)) d)))
+               (under (unite (do-move (faces-solid faces '()) (vxyz 0 0 (- thickness)))
+                             (make-box (xyz (edge min cx -10) (edge min cy -10) (- (min low foot) 1)) (xyz (edge max cx 10) (edge max cy 10) foot)))))
+          (for-each (lambda (d) (if (<= top (walling-base d)) (error 'walls-under "the roof lies below the foot of the wall from ~s" (first (walling-points d))))) data)
+          (let ((raised (map (lambda (d) (drawn-wall (with-roof d top under))) data)))
+            (if (null? (cdr raised)) raised (join-walls raised)))))))
 
 ; Joints.
 
