@@ -70,7 +70,7 @@
 
 (define-syntax fails (syntax-rules () ((_ e) (displayln (guard (c (#t (condition/report-string c))) e "no error")))))
 (fails (schedule walls))                                   ; expect: schedule: takes one column or more, such as 'layer 'count 'volume
-(fails (schedule walls 'colour))                           ; expect: schedule: a column is one of (name layer material count length area volume mass cost), a procedure of an object, or a pair of a name and a procedure, got colour
+(fails (schedule walls 'colour))                           ; expect: schedule: a column is one of (name part layer material count length area volume mass cost), a procedure of an object, or a pair of a name and a procedure, got colour
 (fails (schedule (list walls 3) 'count))                   ; expect: schedule: objects must be a list of objects, got 3
 (fails (schedule (with-material 'oak (wall 1)) 'mass))     ; expect: schedule: there is no density of "oak": #:densities '(("oak" . 700)) gives one
 (fails (schedule walls 'cost #:rates '((brick 3))))        ; expect: schedule: rates must be a list of (name measure rate), such as ("concrete" volume 180), got ((brick 3))
