@@ -64,7 +64,8 @@
         (filter (lambda (i) (< (list-ref (branch-offsets b) i) (+ at slack))) (reverse numbers)))))
 
 ; Returns the seam between the branch l and the next one counter-clockwise, r: stops from the faces to the middle, which is
-; the last. Faces that meet nowhere near, as those of unequal walls in one line, end on the line that halves the sector.
+; the last. Faces that meet nowhere near, as those of unequal walls in one line, end on the line that halves the sector, which
+; begins at the node: the step between the walls is there, even if the middle of the joint is elsewhere.
 (define (seam l r middle)
   (let* ((angle (sector-angle l r)) (sides (lambda (slack) (cons (lines-beside l middle #t slack) (lines-beside r middle #f slack))))
          (beside (sides -1e-9)) (touching (sides 1e-9))
@@ -73,11 +74,24 @@
          (flat? (< (abs (- angle pi)) 0.8)) (reach (* 1.5 (+ (branch-size l) (branch-size r))))
          (good? (and (pair? stops) (every values stops)
                      (every (lambda (s) (or (not flat?) (< (distance (stop-point s) middle) reach))) stops)))
-         (half (let ((v (vpol 1 (+ (pol-phi (branch-way l)) (/ angle 2))))) (p+v middle (v*r v (* 40 (+ reach 1))))))
+         (v (vpol 1 (+ (pol-phi (branch-way l)) (/ angle 2)))) (far (* 40 (+ reach 1)))
+         (step (step-corner l r middle v angle))
          (end (make-stop middle #f 0 #f 0))
-         (base (if good? (append stops (list end)) (list (make-stop half #f 0 #f 0) end)))
+         (base (cond (good? (append stops (list end)))
+                     (step (list (make-stop (p+v step (v*r v far)) #f 0 #f 0) (make-stop step #f 0 #f 0) end))
+                     (else (list (make-stop (p+v middle (v*r v far)) #f 0 #f 0) end))))
          (free (lambda (all get) (remove (lambda (i) (any (lambda (s) (eqv? (get s) i)) base)) all))))
     (with-crossings base l (free (car beside) stop-line-l) r (free (cdr beside) stop-line-r))))
+
+; Returns the point of the line from the node in the direction v, which halves the sector, up to which both walls cover the
+; line; or #f if this point does not lie in the sector as seen from the middle.
+(define (step-corner l r middle v angle)
+  (let* ((p (p+v (branch-node l) (v*r v (/ (min (first (branch-offsets l)) (- (last (branch-offsets r)))) (sin (/ angle 2))))))
+         (way (p->q middle p)))
+    (and (> (vlength way) nearly)
+         (let ((turn (- (pol-phi way) (pol-phi (branch-way l)))))
+           (< 1e-6 (if (< turn 0) (+ turn 2pi) turn) (- angle 1e-6)))
+         p)))
 
 (define (sector-angle l r)
   (let ((a (- (pol-phi (branch-way r)) (pol-phi (branch-way l))))) (if (<= a 1e-9) (+ a 2pi) a)))
