@@ -80,7 +80,7 @@
   (let* ((rise (- (cz to) (cz from))) (l (distance (flat from) (flat to))))
     (if (< l nearly) (error 'stair "head and foot of a straight stair must not lie above each other"))
     (let ((n (best-rises 'stair rise rule (lambda (n) (list (/ l (- n 1)))))))
-      (flight from (way from to) (- n 1) (/ rise n) (/ l (- n 1)) width waist #t))))
+      (list (flight from (way from to) (- n 1) (/ rise n) (/ l (- n 1)) width waist #t) from to))))
 
 ; Two flights with a landing at the corner.
 (define (cornered-stair from to width rule waist turn)
@@ -93,9 +93,10 @@
                 (lambda (n) (and (> n 3) (list (/ l1 (first-treads n)) (/ l2 (- n 2 (first-treads n))))))))
            (n1 (first-treads n)) (n2 (- n 2 n1)) (r (/ rise n)) (v (way from corner)) (w (way corner to)) (h (/ width 2))
            (high (+z corner (* (+ n1 1) r))) (at (lambda (a b) (aside (p+v high (v*r v a)) v b))))
-      (unite (flight from v n1 r (/ l1 n1) width waist #t)
-             (landing (list (at (- h) (- h)) (at h (- h)) (at h h) (at (- h) h)) (+ waist r))
-             (flight (p+v high (v*r w h)) w n2 r (/ l2 n2) width waist #f)))))
+      (list (unite (flight from v n1 r (/ l1 n1) width waist #t)
+                   (landing (list (at (- h) (- h)) (at h (- h)) (at h h) (at (- h) h)) (+ waist r))
+                   (flight (p+v high (v*r w h)) w n2 r (/ l2 n2) width waist #f))
+            from (p+v high (v*r v (- h))) high (p+v high (v*r w h)) to))))
 
 (define (at-rule rise n rule)
   (let ((t (- (or rule 0.63) (* 2 (/ rise n)))))
@@ -110,9 +111,10 @@
            (treads (- (quotient n 2) 1)) (r (/ rise n)) (t (at-rule rise n rule)) (l (* treads t)) (h (/ width 2))
            (high (+z (p+v from (v*r v l)) (* (+ treads 1) r))) (s (unitize side))
            (at (lambda (a b) (p+v (p+v high (v*r v a)) (v*r s b)))))
-      (unite (flight from v treads r t width waist #t)
-             (landing (list (at 0 (- h)) (at width (- h)) (at width (+ gap h)) (at 0 (+ gap h))) (+ waist r))
-             (flight (at 0 gap) (turned-back v) treads r t width waist #f)))))
+      (list (unite (flight from v treads r t width waist #t)
+                   (landing (list (at 0 (- h)) (at width (- h)) (at width (+ gap h)) (at 0 (+ gap h))) (+ waist r))
+                   (flight (at 0 gap) (turned-back v) treads r t width waist #f))
+            from (at 0 0) (at h 0) (at h gap) (at 0 gap) to))))
 
 ; Treads around the middle between foot and head, and a newel if there is little room, with as many full turns as the rule needs.
 (define (winding-stair from to width rule waist turn)
@@ -125,11 +127,15 @@
            (turns (argmin misfit '(0 1 2 3 4))) (n (best-rises 'stair rise rule (fit turns)))
            (r (/ rise n)) (step (/ (* pi (+ 1 (* 2 turns))) (- n 1))) (a0 (pol-phi (p->q c (flat from)))) (inner (- radius (/ width 2))) (outer (+ radius (/ width 2)))
            (at (lambda (rho i) (+pol c rho (+ a0 (* sign step i))))) (shares (division 0 1 4)))
-      (unite (map (lambda (i)
+      (cons (unite (map (lambda (i)
                     (area-solid (list (append (map (lambda (s) (at outer (+ i s))) shares) (reverse (map (lambda (s) (at inner (+ i s))) shares))))
                       (+ (cz from) (max 0 (- (* i r) waist))) (+ (cz from) (* (+ i 1) r))))
                (iota (- n 1)))
-             (if (< inner 0.3) (make-cylinder (+z c (cz from)) (+ rise 1) inner) '())))))
+             (if (< inner 0.3) (make-cylinder (+z c (cz from)) (+ rise 1) inner) '()))
+            (map (lambda (i) (+z (at radius i) (+ (cz from) (* i r)))) (iota n))))))
+
+; made: the solid of a stair, then its walking line, points from the foot to the head.
+(define-primitive (stair-object [made any?]) (car made))
 
 (define (stair from to #:kind [kind any? 'straight] #:width [width any? 1] #:rule [rule any? '2r+t] #:turn [turn any? 'left] #:waist [waist any? 0.15])
   (check-point 'stair "from" from)
@@ -140,12 +146,13 @@
   (if (<= (cz to) (cz from)) (error 'stair "the foot of the stair must be below its head, got ~s and ~s" from to))
   (if (> (- (cz to) (cz from)) (* 0.14 most-parts)) (error 'stair "a rise of ~a needs more than ~a steps" (shown (- (cz to) (cz from))) most-parts))
   (let ((rule (rule-of 'stair rule)))
-    (case kind
-      ((straight) (straight-stair from to width rule waist))
-      ((L) (cornered-stair from to width rule waist turn))
-      ((U) (returning-stair from to width rule waist turn))
-      ((spiral) (winding-stair from to width rule waist turn))
-      (else (error 'stair "kind must be 'straight, 'L, 'U or 'spiral, got ~s" kind)))))
+    (stair-object
+      (case kind
+        ((straight) (straight-stair from to width rule waist))
+        ((L) (cornered-stair from to width rule waist turn))
+        ((U) (returning-stair from to width rule waist turn))
+        ((spiral) (winding-stair from to width rule waist turn))
+        (else (error 'stair "kind must be 'straight, 'L, 'U or 'spiral, got ~s" kind))))))
 
 (define (ramp from to #:width [width any? 1.2] #:slope [slope any? 0.06] #:thickness [thickness any? 0.2])
   (check-point 'ramp "from" from)
