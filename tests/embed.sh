@@ -40,6 +40,18 @@ for program in host format scene meshes pictures fit; do
   [ $code -le 1 ] || echo "not ok embed:$program ended with $code"
 done
 
+# A package with a dependency, added by vs, and imported by a host in C and one in Python (below).
+mkdir -p "$work/shelf/towers" "$work/shelf/bricks" "$work/project"
+echo '(define-library (towers spire) (export spire) (import (visualscheme) (bricks brick)) (begin (define (spire n) (brick (* 3 n)))))' > "$work/shelf/towers/spire.sld"
+echo '(define-library (bricks brick) (export brick) (import (visualscheme)) (begin (define (brick h) (make-box origin 1 1 h))))' > "$work/shelf/bricks/brick.sld"
+echo '{"name": "towers", "needs": {"bricks": "../bricks"}}' > "$work/shelf/towers/vs-package.json"
+if ! (cd "$work/project" && "$work/usr/bin/vs" add ../shelf/towers > "$work/log" 2>&1); then
+  echo "not ok embed:packages: vs add"; sed 's/^/    /' "$work/log"
+elif ! ${CC:-cc} -std=c11 -Wall -Wextra -Werror -I"$work/usr/include" tests/embed/packages.c -o "$work/packages" -L"$work/usr/lib" -lvisualscheme > "$work/log" 2>&1; then
+  echo "not ok embed:compile packages"; sed 's/^/    /' "$work/log"
+else LD_LIBRARY_PATH=$work/usr/lib timeout 60 "$work/packages" "$work/project" || echo "not ok embed:packages, C: ended with $?"
+fi
+
 # A host in a hundred lines of C, which prints the contents of its buffers for the graphics card.
 if ${CC:-cc} -std=c11 -Wall -Wextra -Wpedantic -Werror -I"$work/usr/include" examples/hosts/console.c -o "$work/console" \
      -L"$work/usr/lib" -lvisualscheme > "$work/diff" 2>&1 &&
@@ -104,3 +116,8 @@ grep '^ok \|^not ok ' "$work/out"
 [ $code = 0 ] || { echo "not ok embed:python ended with $code"; grep -v '^ok \|^not ok ' "$work/out" | sed 's/^/    /'; }
 (cd "$work" && PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$work/site" VISUALSCHEME_LIBRARY="$work/usr/lib/libvisualscheme.so" timeout 60 "$python" "$top/examples/hosts/notebook.py" > "$work/out" 2>&1)
 if diff "$top/tests/embed/notebook.want" "$work/out" > "$work/diff"; then echo "ok embed:notebook"; else echo "not ok embed:notebook"; sed 's/^/    /' "$work/diff"; fi
+(cd "$work/project" && PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$work/site" VISUALSCHEME_LIBRARY="$work/usr/lib/libvisualscheme.so" timeout 60 "$python" -c 'from visualscheme import Scheme
+with Scheme(library_path=".vs") as s:
+    s.run("(import (visualscheme) (towers spire)) (define v (volume (spire 2)))")
+    print(float(s["v"]))' > "$work/out" 2>&1)
+if [ "$(cat "$work/out")" = 6.0 ]; then echo "ok embed:packages, Python"; else echo "not ok embed:packages, Python"; sed 's/^/    /' "$work/out"; fi

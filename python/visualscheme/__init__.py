@@ -169,12 +169,13 @@ def _array(pointer, rows, width, kind):
 
 class Scheme:
     """An interpreter. A single thread at a time may use it; `with` ends it. It calls output with the texts that the
-    program prints; None: it writes them to sys.stdout."""
+    program prints; None: it writes them to sys.stdout. library_path: folders for load and import, separated by ':'."""
 
     _pointer, _age = None, 0
     _running, _called = 0, 0  # calls of the library, and of Python's functions by it, that have not ended
 
-    def __init__(self, output=None, limit_time=0.0, limit_memory=0, limit_steps=0, untrusted=False):
+    def __init__(self, output=None, limit_time=0.0, limit_memory=0, limit_steps=0, untrusted=False,
+                 library_path=None):
         self._c = c.load()
         self._errors, self._kept, self.warnings = [], {}, []
         self._output, self._decoder = output, codecs.getincrementaldecoder("utf-8")("replace")
@@ -184,6 +185,8 @@ class Scheme:
         options.host.output, options.host.diagnose, options.host.poll = self._host
         options.limit_time, options.limit_memory, options.limit_steps = limit_time, limit_memory, limit_steps
         options.untrusted = untrusted
+        self._library_path = os.fsencode(library_path) if library_path else None  # lives as long as the interpreter
+        options.library_path = self._library_path
         self._pointer = self._c.vs_new(byref(options))
         if not self._pointer:
             raise MemoryError("no interpreter")

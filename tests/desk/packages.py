@@ -47,6 +47,23 @@ def new():
     for words in (("new",), ("new", "a", "b"), ("new", "a", "-o", "x.stl")): expect(reasons, words, run(folder, *words), 2)
     return reasons
 
+# Copies a project to another folder, and runs it with another HOME, without git and network, and without the packages' sources. Each
+# changed byte of the copy is refused.
+def alone(reasons, project, to, sources, size):
+    shutil.copytree(project, to)
+    for s in sources: s.rename(str(s) + ".away")
+    cut = [shutil.which("unshare"), "-rn"] if shutil.which("unshare") and subprocess.run(["unshare", "-rn", "true"], capture_output=True).returncode == 0 else []
+    def run_alone(*words): return subprocess.run([*cut, vs, *words], cwd=to, capture_output=True, text=True, timeout=120, env={"HOME": "/none", "PATH": "/none"})
+    expect(reasons, "moved with its packages", run_alone("model.vs"), 0, size)
+    expect(reasons, "moved: vs add", run_alone("add"), 0, "all packages")
+    for file in sorted(p for p in (to / ".vs").rglob("*") if p.is_file()):
+        text = file.read_bytes()
+        file.write_bytes(text[:-1] + bytes([text[-1] ^ 1]))
+        expect(reasons, f"moved, with another {file.name}", run_alone("model.vs"), 2, "has changed")
+        file.write_bytes(text)
+    expect(reasons, "moved, mended", run_alone("model.vs"), 0, size)
+    for s in sources: pathlib.Path(str(s) + ".away").rename(s)
+
 PROGRAM = "(import (visualscheme) (towers spire))\n(draw (spire 2))\n"
 
 # A package with a dependency is added, locked, moved and imported; each change of it is refused.
@@ -68,6 +85,7 @@ def folders():
     lock = json.loads((home / "vs.lock").read_text())
     if [(p["name"], p["commit"], p["direct"], len(p["hash"])) for p in lock["packages"]] != [("towers", "", True, 64), ("bricks", "", False, 64)]: reasons.append(f"the lock: {lock}")
     expect(reasons, "vs add alone", run(home, "add"), 0, "all packages")
+    alone(reasons, home, folder / "alone", [folder / "shelf"], "1 x 1 x 6 m")
     moved = place("folders/moved")
     for name in ("model.vs", "vs.lock"): shutil.copy(home / name, moved / name)
     expect(reasons, "without the packages", run(moved, "model.vs"), 2, "towers", "vs add fetches it")
@@ -163,6 +181,7 @@ def by_git():
     expect(reasons, "the import", run(home, "model.vs"), 0, "2 x 2 x 4 m")
     lock = {p["name"]: p for p in json.loads((home / "vs.lock").read_text())["packages"]}
     if lock["towers"]["commit"] != git(towers, "rev-parse", "HEAD"): reasons.append(f"the lock: {lock}")
+    alone(reasons, home, folder / "alone", [bricks, towers], "2 x 2 x 4 m")
     (towers / "part.sld").write_text((towers / "part.sld").read_text().replace(") 2)", ") 3)"))
     git(towers, "commit", "-qam", "two")
     git(towers, "checkout", "-qb", "wide")
