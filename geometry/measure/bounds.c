@@ -40,62 +40,46 @@ static double bounds_fineness(const vs_bounds *b) {
   return d > 0 && isfinite(d) ? d / 65536 : 1e-6;
 }
 
-/* Enlarges b by the bounds of the swept solid n mapped by a. The bounds of an upright extrusion follow exactly from its
- * profile; others are sampled. children: bounds of all children together. Returns false on failure. */
-static bool bounds_add_swept(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children,
-                             vs_error *e) {
-  vs_fineness f = { bounds_fineness(children), 0 };
-  vs_swept plan;
-  if (n->kind == VS_THICKEN && n->children[0].node->class_ == VS_SURFACE) {
-    vs_mesh m = { 0 };
-    bool ok = vs_tessellate(n, &f, &m, e);
-    if (ok) vs_reach_points(b, a, m.vertices, m.vertex_count);
-    vs_mesh_free(&m);
-    return ok;
+/* ---- sampled shapes ---- */
+
+/* Enlarges b by the bounds of samples of node n mapped by a. tolerance: greatest distance of the samples' chords from
+ * the shape, in the coordinates of n. Returns false on failure. */
+typedef bool bounds_sampler(const vs_node *n, const vs_affine *a, double tolerance, vs_bounds *b, vs_error *e);
+
+/* How a kind is sampled. coarse: tolerance as a multiple of bounds_fineness. thinnest: least fraction of this tolerance
+ * for a thin shape. */
+typedef struct { bounds_sampler *sample; double coarse, thinnest; } bounds_sampling;
+
+/* Returns the tolerance for the shortest side of the box b: the share of its length that `tolerance` is of `diagonal`,
+ * times 8. Sides of length 0 do not count. b: bounds of a shape mapped by a. diagonal: length before the map. */
+static double bounds_side_tolerance(const vs_bounds *b, const vs_affine *a, double tolerance, double diagonal) {
+  double side[3] = { b->max.x - b->min.x, b->max.y - b->min.y, b->max.z - b->min.z }, least = tolerance;
+  for (int k = 0; k < 3; k++) {
+    double before = side[k] / vs_v3_length(vs_reach_row(a, k));
+    if (before > 1e-9 * diagonal && isfinite(before)) least = fmin(least, 8 * tolerance * before / diagonal);
   }
-  f.tolerance *= 4; /* sweeps with a twist are costly to sample, so the tolerance is coarser */
-  if (!vs_swept_plan(n, &f, &plan, e)) return false;
-  vs_bounds straight = vs_bounds_empty();
-  for (size_t i = 0; i < plan.section_count; i++) {
-    const vs_section *s = &plan.sections[i];
-    for (size_t k = 0; k < plan.profile_count; k++) {
-      vs_vec2 p = plan.profile[k];
-      vs_bounds_add(&straight,
-                    vs_affine_point(a, vs_v3_add(vs_v3_add(vs_v3_scale(s->x, p.x), vs_v3_scale(s->y, p.y)), s->at)));
-    }
+  return least;
+}
+
+/* Enlarges b by the bounds of node n mapped by a. children: bounds of the points or nodes from which n is made. Samples
+ * a thin shape again, more finely: a map may enlarge its short sides alone. Returns false on failure. */
+static bool bounds_add_samples(vs_bounds *b, const bounds_sampling *how, const vs_node *n, const vs_affine *a,
+                               const vs_bounds *children, vs_error *e) {
+  double tolerance = how->coarse * bounds_fineness(children), diagonal = vs_bounds_diagonal(children);
+  vs_bounds here = vs_bounds_empty();
+  if (!how->sample(n, a, tolerance, &here, e)) return false;
+  double finer = diagonal > 0 && !vs_bounds_is_empty(&here) ? bounds_side_tolerance(&here, a, tolerance, diagonal)
+                                                            : tolerance;
+  if (finer < tolerance) {
+    here = vs_bounds_empty();
+    if (!how->sample(n, a, fmax(finer, how->thinnest * tolerance), &here, e)) return false;
   }
-  vs_swept_free(&plan);
-  /* A solid whose walls lean inwards stays within the extrusion with vertical walls, even if it intersects itself. The
-   * bounds are therefore those of that extrusion. */
-  if (n->kind == VS_EXTRUDE && VS_AS(extrude, n)->taper != 0) {
-    vs_bounds leaning = vs_bounds_empty();
-    vs_mesh m = { 0 };
-    bool ok = vs_tessellate(n, &f, &m, e);
-    if (ok) vs_reach_points(&leaning, a, m.vertices, m.vertex_count);
-    vs_mesh_free(&m);
-    if (!ok) return false;
-    if (VS_AS(extrude, n)->taper > 0) vs_bounds_meet(&straight, &leaning);
-    else straight = leaning;
-  }
-  vs_bounds_unite(b, &straight);
+  vs_bounds_unite(b, &here);
   return true;
 }
 
-static bool bounds_add_revolve(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children,
-                               vs_error *e) {
-  vs_fineness f = { bounds_fineness(children), 0 };
-  vs_revolve plan;
-  if (!vs_revolve_plan(n, &f, &plan, e)) return false;
-  vs_revolve_bounds(&plan, a, b);
-  vs_revolve_free(&plan);
-  return true;
-}
-
-/* Enlarges b by the bounds of a fine mesh of n mapped by a, for shapes without a formula. children: bounds of all
- * children together. Returns false on failure. */
-static bool bounds_add_facets(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children,
-                              vs_error *e) {
-  vs_fineness f = { bounds_fineness(children) * 8, 0 };
+static bool bounds_sample_facets(const vs_node *n, const vs_affine *a, double tolerance, vs_bounds *b, vs_error *e) {
+  vs_fineness f = { tolerance, 0 };
   vs_mesh m = { 0 };
   bool ok = vs_tessellate(n, &f, &m, e);
   if (ok) vs_reach_points(b, a, m.vertices, m.vertex_count);
@@ -103,24 +87,78 @@ static bool bounds_add_facets(vs_bounds *b, const vs_affine *a, const vs_node *n
   return ok;
 }
 
-static bool bounds_add_offset(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children,
-                              vs_error *e) {
-  vs_offset_exact exact;
-  vs_affine place;
-  if (vs_offset_round(n, &place, &exact)) {
-    place = vs_affine_multiply(a, &place);
-    if (exact.circle) vs_reach_disc(b, &place, exact.arc.center, vs_v3(0, 0, 1), exact.arc.radius);
-    else bounds_add_arc(b, &place, &exact.arc);
-    return true;
+/* Returns the radius of the circle that the swept solid n moves; 0 if its profile is no circle, or a circle with a
+ * given number of segments. */
+static double bounds_swept_circle(const vs_node *n) {
+  const vs_node *profile = n->children[0].node;
+  if (n->kind == VS_THICKEN && profile->class_ == VS_CURVE)
+    return VS_AS(thicken, n)->segments > 0 ? 0 : VS_AS(thicken, n)->width / 2;
+  double radius = vs_profile_circle(profile);
+  while (profile->child_count == 1) profile = profile->children[0].node;
+  return profile->kind == VS_CIRCLE && VS_AS(circle, profile)->segments <= 0 ? radius : 0;
+}
+
+/* Enlarges b by the sections of a swept solid, mapped by a. radius: radius of its profile if this is a circle, or 0.
+ * The mean of the samples of a circle is its centre. */
+static void bounds_add_sections(vs_bounds *b, const vs_affine *a, const vs_swept *plan, double radius) {
+  vs_vec2 middle = { 0, 0 };
+  for (size_t k = 0; k < plan->profile_count; k++) {
+    middle.x += plan->profile[k].x / (double)plan->profile_count;
+    middle.y += plan->profile[k].y / (double)plan->profile_count;
   }
-  vs_fineness f = { bounds_fineness(children), 0 };
-  if (n->class_ == VS_CURVE) {
-    vs_polyline line = { 0 };
-    bool ok = vs_curve_sample(n, &f, &line, e);
-    if (ok) vs_reach_points(b, a, line.at, line.count);
-    vs_polyline_free(&line);
-    return ok;
+  for (size_t i = 0; i < plan->section_count; i++) {
+    const vs_section *s = &plan->sections[i];
+    const vs_affine frame = { { { s->x.x, s->y.x, 0, s->at.x }, { s->x.y, s->y.y, 0, s->at.y },
+                                { s->x.z, s->y.z, 0, s->at.z } } };
+    if (radius > 0) {
+      vs_reach_oval(b, a, &frame, vs_affine_point(&frame, vs_v3(middle.x, middle.y, 0)), radius, radius);
+      continue;
+    }
+    for (size_t k = 0; k < plan->profile_count; k++)
+      vs_bounds_add(b, vs_affine_point(a, vs_affine_point(&frame, vs_v3(plan->profile[k].x, plan->profile[k].y, 0))));
   }
+}
+
+/* The bounds of an upright extrusion follow exactly from its profile; others are sampled. */
+static bool bounds_sample_swept(const vs_node *n, const vs_affine *a, double tolerance, vs_bounds *b, vs_error *e) {
+  vs_fineness f = { tolerance, 0 };
+  vs_swept plan;
+  if (!vs_swept_plan(n, &f, &plan, e)) return false;
+  vs_bounds straight = vs_bounds_empty();
+  bounds_add_sections(&straight, a, &plan, plan.profile_count ? bounds_swept_circle(n) : 0);
+  vs_swept_free(&plan);
+  /* A solid whose walls lean inwards stays within the extrusion with vertical walls, even if it intersects itself. The
+   * bounds are therefore those of that extrusion. */
+  if (n->kind == VS_EXTRUDE && VS_AS(extrude, n)->taper != 0) {
+    vs_bounds leaning = vs_bounds_empty();
+    if (!bounds_sample_facets(n, a, tolerance, &leaning, e)) return false;
+    if (VS_AS(extrude, n)->taper > 0) vs_bounds_meet(&straight, &leaning);
+    else straight = leaning;
+  }
+  vs_bounds_unite(b, &straight);
+  return true;
+}
+
+static bool bounds_sample_revolve(const vs_node *n, const vs_affine *a, double tolerance, vs_bounds *b, vs_error *e) {
+  vs_fineness f = { tolerance, 0 };
+  vs_revolve plan;
+  if (!vs_revolve_plan(n, &f, &plan, e)) return false;
+  vs_revolve_bounds(&plan, a, b);
+  vs_revolve_free(&plan);
+  return true;
+}
+
+static bool bounds_sample_curve(const vs_node *n, const vs_affine *a, double tolerance, vs_bounds *b, vs_error *e) {
+  vs_fineness f = { tolerance, 0 };
+  vs_polyline line = { 0 };
+  bool ok = vs_curve_sample(n, &f, &line, e);
+  if (ok) vs_reach_points(b, a, line.at, line.count);
+  vs_polyline_free(&line);
+  return ok;
+}
+
+static bool bounds_sample_region(const vs_node *n, const vs_affine *a, double tolerance, vs_bounds *b, vs_error *e) {
+  vs_fineness f = { tolerance, 0 };
   vs_outline o;
   if (!vs_region_outline(n, &f, &o, e)) return false;
   for (size_t l = 0; l < o.count; l++) vs_reach_points(b, a, o.loops[l].at, o.loops[l].count);
@@ -128,15 +166,32 @@ static bool bounds_add_offset(vs_bounds *b, const vs_affine *a, const vs_node *n
   return true;
 }
 
-static bool bounds_spline(vs_bounds *b, const vs_affine *a, const vs_node *n, vs_error *e) {
+/* A swept solid with a twist costs much time to sample, so its tolerance is coarser. Meshes of shapes that are curved
+ * in two directions grow with the inverse of the tolerance. */
+static const bounds_sampling swept_sampling = { bounds_sample_swept, 4, 0x1p-10 },
+                             layer_sampling = { bounds_sample_facets, 1, 0x1p-4 },
+                             facets_sampling = { bounds_sample_facets, 8, 0x1p-6 },
+                             revolve_sampling = { bounds_sample_revolve, 1, 0x1p-10 },
+                             curve_sampling = { bounds_sample_curve, 1, 0x1p-10 },
+                             region_sampling = { bounds_sample_region, 1, 0x1p-10 };
+
+static bool bounds_add_offset(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children,
+                              vs_error *e) {
+  vs_offset_exact exact;
+  vs_affine place;
+  if (!vs_offset_round(n, &place, &exact))
+    return bounds_add_samples(b, n->class_ == VS_CURVE ? &curve_sampling : &region_sampling, n, a, children, e);
+  place = vs_affine_multiply(a, &place);
+  if (exact.circle) vs_reach_disc(b, &place, exact.arc.center, vs_v3(0, 0, 1), exact.arc.radius);
+  else bounds_add_arc(b, &place, &exact.arc);
+  return true;
+}
+
+static bool bounds_add_spline(vs_bounds *b, const vs_affine *a, const vs_node *n, vs_error *e) {
   vs_bounds knots = vs_bounds_empty();
-  vs_polyline line = { 0 };
-  vs_reach_points(&knots, a, VS_AS(spline, n)->points->at, VS_AS(spline, n)->points->count);
-  vs_fineness f = { bounds_fineness(&knots), 0 };
-  bool ok = vs_curve_sample(n, &f, &line, e);
-  if (ok) vs_reach_points(b, a, line.at, line.count);
-  vs_polyline_free(&line);
-  return ok;
+  const vs_affine here = vs_affine_identity();
+  vs_reach_points(&knots, &here, VS_AS(spline, n)->points->at, VS_AS(spline, n)->points->count);
+  return bounds_add_samples(b, &curve_sampling, n, a, &knots, e);
 }
 
 /* Enlarges b by the bounds of a leaf n mapped by a. children: bounds of its children in their own coordinates, needed
@@ -156,7 +211,7 @@ static bool bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds *c
     case VS_CIRCLE:
       vs_reach_disc(b, a, VS_AS(circle, n)->center, vs_v3(0, 0, 1), VS_AS(circle, n)->radius);
       return true;
-    case VS_SPLINE: return bounds_spline(b, a, n, e);
+    case VS_SPLINE: return bounds_add_spline(b, a, n, e);
     case VS_TEXT: return vs_text_bounds(n, a, b, e);
 #include "model/cases/shape_cases.def"
       return vs_shape_of(n)->bounds(n, a, b, e);
@@ -166,10 +221,14 @@ static bool bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds *c
     case VS_XLINE: case VS_RAY: return true; /* infinite lines are drawn as far as the other objects extend, so they do
                                               * not enlarge the bounds */
     case VS_OFFSET: return n->class_ == VS_NOTHING || bounds_add_offset(b, a, n, children, e);
-    case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN:
-      return n->class_ == VS_NOTHING || bounds_add_swept(b, a, n, children, e);
-    case VS_REVOLVE: return n->class_ == VS_NOTHING || bounds_add_revolve(b, a, n, children, e);
-    case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: return bounds_add_facets(b, a, n, children, e);
+    case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: {
+      bool layer = n->kind == VS_THICKEN && n->children[0].node->class_ == VS_SURFACE;
+      return n->class_ == VS_NOTHING ||
+             bounds_add_samples(b, layer ? &layer_sampling : &swept_sampling, n, a, children, e);
+    }
+    case VS_REVOLVE: return n->class_ == VS_NOTHING || bounds_add_samples(b, &revolve_sampling, n, a, children, e);
+    case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT:
+      return bounds_add_samples(b, &facets_sampling, n, a, children, e);
     case VS_GRID_MESH:
       vs_reach_points(b, a, VS_AS(grid_mesh, n)->points->at, VS_AS(grid_mesh, n)->points->count);
       return true;

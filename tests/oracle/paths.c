@@ -249,3 +249,10 @@ void path_make(uint64_t seed, char text[MODEL_ROOM], size_t *which, size_t *way,
   wrap(&m, set_forms[*set], other);
   if (any(&m, 3) == 0) wrap(&m, ways[1 + any(&m, 9)], other);
 }
+
+void path_thin(size_t which, char text[MODEL_ROOM]) {
+  maker m = { .text = text };
+  text[0] = 0;
+  say(&m, "(let ([o %s]) (scope-place (make-box-scope (xyz -0.25 -1 1.25) 4 3 3) (if (or (curve? o) (region? o) "
+          "(surface? o)) (do-thicken o 1/64) o)))", samples[which].object);
+}
