@@ -349,7 +349,9 @@ static bool take_define(cli_options *o, const option_row *row, const char *v) {
 
 static bool take_set(cli_options *o, const option_row *row, const char *v) {
   o->sets[o->set_count++] = v;
-  if (o->command != CLI_COMMAND_sweep) return is_setting(v) || bad(row, v);
+  if (o->command != CLI_COMMAND_sweep)
+    return is_setting(v) || sweep_is_set_file(v) ||
+           expected(row, v, "NAME=VALUE, several with commas between them, or the name of a .csv or .json file");
   return is_setting(v) || sweep_is_set_file(v) ||
          expected(row, v, "NAME=VALUES, as in n=1..10:2 or x=0..1/8, or the name of a .csv or .json file");
 }
@@ -554,7 +556,19 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
   return cli_options_fit(o, argv) ? CLI_GO : CLI_BAD_USAGE;
 }
 
+long cli_options_parts(const cli_options *o) {
+  if (o->frames.count) return o->frames.count;
+  if (o->tiles.columns) return o->tiles.columns * o->tiles.rows;
+  return (long)(o->source_count * (o->set_count ? o->set_count : 1));
+}
+
+void cli_options_range(const cli_options *o, long *from, long *to) {
+  *from = o->frames.count ? o->frames.from : o->tiles.columns ? o->tiles.from : o->pairs.from;
+  *to = o->frames.count ? o->frames.to : o->tiles.columns ? o->tiles.to : o->pairs.to;
+}
+
 void cli_options_free(cli_options *o) {
+  sweep_memory_free(&o->set_memory);
   free(o->sources);
   free(o->targets);
   free(o->defines);

@@ -5,6 +5,7 @@
 #include <stdio.h>
 
 #include "cli/batch/film.h"
+#include "cli/sweep/sweep_table.h"
 #include "visualscheme.h"
 
 typedef struct {
@@ -78,6 +79,11 @@ typedef struct {
    * `held`. */
   const char **sets, **passed; size_t set_count, passed_count; /* passed: options that are passed on to the run of each
                                                                 * picture */
+  /* vs render: `sets` then has a text for each row of the files of --set, in this memory; their names. */
+  sweep_memory set_memory; const char **set_files; size_t set_file_count;
+  /* vs render without --frames and --tiles: its parts are the models with each of the sets. from, to: those of --only,
+   * from 1. */
+  struct { long from, to; } pairs;
   /* vs render, vs sweep: the words of the command after its name, for a run of all parts elsewhere, and for a run of
    * some parts. Neither has options about processes. */
   const char **whole, **part; size_t whole_count, part_count;
@@ -104,6 +110,11 @@ typedef enum {
   CLI_STOP /* nothing is left to do after --help or --version */,
   CLI_BAD_USAGE /* exit status 2; a message was printed on standard error */
 } cli_verdict;
+
+/* Returns the number of parts of vs render: frames, tiles, or models with sets. */
+long cli_options_parts(const cli_options *o);
+/* Writes the first and the last part of --only, or of all. */
+void cli_options_range(const cli_options *o, long *from, long *to);
 
 cli_verdict cli_options_parse(cli_options *o, int argc, char **argv);
 void cli_options_free(cli_options *o);

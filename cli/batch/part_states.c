@@ -111,7 +111,7 @@ static void take_folder(reading *r, const char *folder) {
 
 bool cli_part_states_read(const cli_options *o, const char *folder, cli_part_states *out) {
   reading r = {.out = out};
-  *out = (cli_part_states){.count = (size_t)(o->frames.count ? o->frames.count : o->tiles.columns * o->tiles.rows)};
+  *out = (cli_part_states){.count = (size_t)cli_options_parts(o)};
   out->at = vs_zeros(out->count, sizeof *out->at);
   r.at = vs_zeros(out->count, sizeof *r.at);
   bool ok = out->at && r.at;

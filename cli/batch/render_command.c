@@ -48,6 +48,7 @@ typedef struct {
                             * --frames */
   char exposure[EXPOSURE_ROOM]; /* exposure in stops for all frames of a film; empty: the exposure in the options */
   uint64_t metered;        /* hash of the scene of the film's first frame, from which the exposure was computed */
+  long pair;               /* number of the model with its set, from 1 */
   long frame;              /* number of the frame from 1, or 0 without --frames; the frames of a film are consecutive in
                             * the batch */
   size_t tile;             /* number of the tile from 1, top first, or 0: the file is the whole picture */
@@ -109,17 +110,22 @@ static bool add_picture(batch *b, const char *model, const char *set, const char
   return true;
 }
 
+/* Returns true if -o names a folder: it ends in a slash, has no ending, is a folder, or there are several models. */
+static bool is_folder(const cli_options *o, const char *out) {
+  struct stat is;
+  return o->source_count > 1 || out[strlen(out) - 1] == '/' || !cli_ending_of(out) ||
+         (stat(out, &is) == 0 && S_ISDIR(is.st_mode));
+}
+
 /* Writes the name of a picture: FOLDER/model-set-view-frame.png for a folder or for FOLDER/%.png,
  * a-set-view-frame.png for a file a.png. Returns false, after a message, if it is too long. */
 static bool name_picture(const batch *b, const char *model, size_t set, const char *view, long frame,
                          char name[PATH_ROOM]) {
   const cli_options *o = b->options;
   const char *out = o->target_count ? o->targets[0].path : NULL, *ending = ".png";
-  struct stat is;
   size_t length = out ? strlen(out) : 0;
   bool each = out && cli_options_is_pattern(out);
-  bool folder =
-      out && !each && (o->source_count > 1 || out[length - 1] == '/' || (stat(out, &is) == 0 && S_ISDIR(is.st_mode)));
+  bool folder = out && !each && is_folder(o, out);
   *name = 0;
   if (folder) {
     snprintf(name, PATH_ROOM - 200, "%s%s", out, out[length - 1] == '/' ? "" : "/");
@@ -318,7 +324,7 @@ static void manifest_picture(FILE *to, const picture *p) {
   fputs(", \"view\": ", to);
   if (p->view) cli_json_text(to, p->view);
   else fputs("null", to);
-  if (p->frame || p->tile) fprintf(to, ", \"part\": %ld", p->frame ? p->frame : (long)p->tile);
+  fprintf(to, ", \"part\": %ld", p->frame ? p->frame : p->tile ? (long)p->tile : p->pair);
   if (p->tile) fprintf(to, ", \"crop\": \"%s\"", p->crop);
   fputs(", \"parameters\": ", to);
   if (p->set) cli_json_text(to, p->set);
@@ -859,7 +865,7 @@ static bool make_folder(const cli_options *o) {
   struct stat is;
   const char *out = o->target_count ? o->targets[0].path : NULL, *slash = out ? strrchr(out, '/') : NULL;
   char folder[PATH_ROOM];
-  bool whole = out && !cli_options_is_pattern(out) && (o->source_count > 1 || (slash && !slash[1]));
+  bool whole = out && !cli_options_is_pattern(out) && is_folder(o, out);
   if (!out || (!whole && (!slash || slash == out))) return true;
   snprintf(folder, sizeof folder, "%.*s", (int)(whole ? strlen(out) : (size_t)(slash - out)), out);
   if (stat(folder, &is) == 0 || mkdir(folder, 0777) == 0) return true;
@@ -881,8 +887,15 @@ static bool prepare(batch *b) {
   const cli_options *o = b->options;
   bool ok = true;
   for (size_t i = 0; i < o->source_count; i++) vs_note_input(b->inputs, o->sources[i].text);
-  for (size_t i = 0; ok && i < o->source_count; i++)
-    for (size_t k = 0; ok && k < (o->set_count ? o->set_count : 1); k++) ok = add_model(b, o->sources[i].text, k);
+  for (size_t i = 0; i < o->set_file_count; i++) vs_note_input(b->inputs, o->set_files[i]);
+  bool parts = o->frames.count || o->tiles.columns;
+  long sets = (long)(o->set_count ? o->set_count : 1);
+  for (long n = 1; ok && n <= sets * (long)o->source_count; n++) {
+    size_t from = b->count;
+    if (!parts && (n < o->pairs.from || n > o->pairs.to)) continue;
+    ok = add_model(b, o->sources[(n - 1) / sets].text, (size_t)((n - 1) % sets));
+    for (; from < b->count; from++) b->at[from].pair = n;
+  }
   for (size_t i = 0; ok && i < b->count; i++) ok = may_write_picture(b, &b->at[i]);
   return ok && (!o->sheet || may_write(b, o->sheet)) && take_manifest(b);
 }
@@ -947,8 +960,9 @@ vs_outcome cli_render_command(const cli_options *o, const volatile sig_atomic_t 
     if (make_folder(o)) {
       b.whole_path = b.manifest_path = manifest_of(o, beside);
       bool ranged = o->only && b.whole_path, ok = true;
-      if (ranged) ok = cli_range_manifest(b.whole_path, o->tiles.columns ? o->tiles.from : o->frames.from,
-                                          o->tiles.columns ? o->tiles.to : o->frames.to, own, sizeof own);
+      long from, to;
+      cli_options_range(o, &from, &to);
+      if (ranged) ok = cli_range_manifest(b.whole_path, from, to, own, sizeof own);
       if (!ok) fprintf(stderr, "vs render: %s: the name is too long\n", b.whole_path);
       if (ranged) b.manifest_path = own;
       if (o->trying) b.whole_path = b.manifest_path = NULL;

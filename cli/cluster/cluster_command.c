@@ -59,15 +59,16 @@ static bool set_limits(job_record *r, const job_use *use) {
 
 /* Makes the first part in this process, measures it, and sets the record's limits. Returns false, with the outcome in
  * *code, if the command must end. */
-static bool measure(job_record *r, const volatile sig_atomic_t *ended, int *code) {
+static bool measure(job_record *r, const cli_options *o, const volatile sig_atomic_t *ended, int *code) {
   job_use use;
   cli_part_states states;
   const char **words = r->packed ? NULL : job_words_of(r, "1..1");
   *code = r->packed ? job_pack_sample(r, ended, &use) : words ? job_run(words, ended, NULL, &use) : VS_OUTCOME_MACHINE;
   free(words);
   if (*ended) *code = VS_OUTCOME_INTERRUPTED;
-  bool film = !strcmp(r->command, "render");
-  if (*code == VS_OUTCOME_USAGE || *code == VS_OUTCOME_INTERRUPTED || (*code != VS_OUTCOME_DONE && film)) return false;
+  bool shared = o->frames.count || o->tiles.columns; /* the first frame gives the exposure, and tiles have one model */
+  if (*code == VS_OUTCOME_USAGE || *code == VS_OUTCOME_INTERRUPTED) return false;
+  if (*code != VS_OUTCOME_DONE && shared) return false;
   if (!r->packed) {
     if (!job_states(r, &states)) return *code = VS_OUTCOME_USAGE, false;
     r->seconds = states.seconds > 0 ? states.seconds : use.seconds;
@@ -180,7 +181,7 @@ static vs_outcome submit(job_record *r, const cli_options *o, const volatile sig
   bool given = o->cluster.time && o->cluster.memory;
   int code = VS_OUTCOME_DONE;
   size_t first = given || r->packed ? 0 : 1;
-  if (!(given && !r->packed) && !measure(r, ended, &code)) return (vs_outcome)code;
+  if (!(given && !r->packed) && !measure(r, o, ended, &code)) return (vs_outcome)code;
   if (!r->bundle) r->bundle = job_bundle_size(0, r->parts, true);
   if (first == 0 && is_metered(o)) {
     if (!bundle_first(r) || !slurm_submit_first(r, ended)) return VS_OUTCOME_WORKER;
@@ -203,7 +204,7 @@ static vs_outcome run_bundles(job_record *r, const cli_options *o, const volatil
   int code;
   size_t first = r->packed ? 0 : 1;
   if (!job_record_write(r)) return VS_OUTCOME_USAGE;
-  if (!measure(r, ended, &code)) return (vs_outcome)code;
+  if (!measure(r, o, ended, &code)) return (vs_outcome)code;
   if (r->packed && is_metered(o)) {
     if (!bundle_first(r)) return VS_OUTCOME_USAGE;
     if (run_parallel(r, ended) == VS_OUTCOME_INTERRUPTED) return VS_OUTCOME_INTERRUPTED;

@@ -102,6 +102,7 @@ static bool learn_inputs(vs_scheme *s, const cli_options *o, vs_outcome (*here)(
   local.trying = local.quiet = true, local.cluster = (cli_cluster){0}, local.only = "1..1";
   if (local.frames.count) local.frames.from = local.frames.to = 1;
   if (local.tiles.columns) local.tiles.from = local.tiles.to = 1;
+  local.pairs.from = local.pairs.to = 1;
   int list = cli_inputs_begin(), told = list >= 0 ? fcntl(list, F_DUPFD_CLOEXEC, 0) : -1; /* the command closes list */
   vs_outcome outcome = told >= 0 ? here(&local) : VS_OUTCOME_MACHINE;
   cli_inputs_hear(told, s);

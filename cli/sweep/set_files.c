@@ -20,8 +20,8 @@ bool sweep_is_set_file(const char *text) {
 }
 
 static bool wrong(const char *path, size_t line, const char *why) {
-  if (line) fprintf(stderr, "vs sweep: %s:%zu: %s\n", path, line, why);
-  else fprintf(stderr, "vs sweep: %s: %s\n", path, why);
+  if (line) fprintf(stderr, "vs: %s:%zu: %s\n", path, line, why);
+  else fprintf(stderr, "vs: %s: %s\n", path, why);
   return false;
 }
 
@@ -37,7 +37,7 @@ static char *read_text(const char *path, size_t *length) {
     if (n == 0) break;
   }
   bool ok = f && text && !ferror(f);
-  if (!ok) fprintf(stderr, "vs sweep: %s: %s\n", path, f && !text ? "out of memory" : strerror(errno));
+  if (!ok) fprintf(stderr, "vs: %s: %s\n", path, f && !text ? "out of memory" : strerror(errno));
   else text[*length] = 0;
   if (f) fclose(f);
   if (!ok) free(text), text = NULL;
@@ -164,7 +164,7 @@ static char *value_text(const cli_data_reader *r, sweep_memory *m, const char *p
     }
     return sweep_keep_text(m, number, strlen(number));
   }
-  fprintf(stderr, "vs sweep: %s: the value of %s is neither a number, a text nor a truth value\n", path, name);
+  fprintf(stderr, "vs: %s: the value of %s is neither a number, a text nor a truth value\n", path, name);
   return NULL;
 }
 
@@ -207,6 +207,34 @@ static bool read_json(sweep_memory *m, const char *path, const char *text, size_
   bool ok = whole ? put_sets(&r, m, path, whole, axis) : wrong(path, 0, "the text is not JSON");
   cli_data_free(&r, whole);
   cli_data_close(&r);
+  return ok;
+}
+
+static const char *text_of(sweep_memory *m, const char *path, const sweep_set *set) {
+  char *text = NULL;
+  size_t size = 0;
+  FILE *to = open_memstream(&text, &size);
+  if (!to) return sweep_no_memory(), NULL;
+  bool comma = false;
+  for (size_t i = 0; i < set->count; i++) {
+    fprintf(to, "%s%s=%s", i ? "," : "", set->at[i].name, set->at[i].value);
+    comma = comma || strchr(set->at[i].value, ',');
+  }
+  const char *kept = fclose(to) == 0 ? sweep_keep_text(m, text, size) : NULL;
+  free(text);
+  return comma ? wrong(path, 0, "vs render has no values with commas; vs sweep does"), NULL : kept;
+}
+
+bool sweep_set_file_texts(sweep_memory *m, const char *path, const char ***sets, size_t *count) {
+  sweep_axis axis = {0};
+  bool ok = sweep_set_file_read(m, path, &axis);
+  const char **all = ok ? sweep_keep(m, *count + axis.count + 1, sizeof *all) : NULL;
+  for (size_t i = 0; all && i < *count; i++) all[i] = (*sets)[i];
+  ok = all != NULL;
+  for (size_t i = 0; ok && i < axis.count; i++)
+    ok = !axis.sets[i].count || (all[(*count)++] = text_of(m, path, &axis.sets[i])) != NULL;
+  if (ok) *sets = all;
+  free(axis.sets);
   return ok;
 }
 

@@ -9,4 +9,7 @@ bool sweep_is_set_file(const char *text);
 /* Reads the sets of the file into the axis. Returns false after a message. */
 bool sweep_set_file_read(sweep_memory *m, const char *path, sweep_axis *axis);
 
+/* Appends the sets of the file to *sets as texts "a=1,b=2", in the memory m. Returns false after a message. */
+bool sweep_set_file_texts(sweep_memory *m, const char *path, const char ***sets, size_t *count);
+
 #endif

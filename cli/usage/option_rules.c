@@ -9,6 +9,7 @@
 
 #include "cli/batch/ranges.h"
 #include "cli/nearby.h"
+#include "cli/sweep/set_files.h"
 #include "cli/usage/command_files.h"
 #include "cli/usage/command_table.h"
 #include "cli/usage/library_folders.h"
@@ -56,8 +57,6 @@ static bool cluster_fits(const cli_options *o) {
   else if (c->on && (o->only || o->join || o->manifest)) wrong = "give --on without --only, --join and --manifest";
   else if (c->on && o->command == CLI_COMMAND_render && (!*path || path[strlen(path) - 1] != '/'))
     wrong = "--on needs a folder for the pictures that ends in a slash, as in -o film/";
-  else if (c->on && o->command == CLI_COMMAND_render && !o->frames.count && !o->tiles.columns)
-    wrong = "--on needs parts: --frames of a film, or --tiles of a picture";
   if (!wrong) return true;
   fprintf(stderr, "vs%s%s: %s\n", batch ? " " : "", batch ? cli_command_rows[o->command - 1].name : "", wrong);
   return false;
@@ -112,6 +111,31 @@ static bool own_options_fit(const cli_options *o, unsigned takes) {
   return true;
 }
 
+/* Reads the files of --set of vs render, and --only without --frames and --tiles. Returns false after a message. */
+static bool pairs_fit(cli_options *o) {
+  const char **given = o->sets;
+  size_t count = o->set_count;
+  o->set_files = sweep_keep(&o->set_memory, count + 1, sizeof *o->set_files);
+  if (!o->set_files) return false;
+  o->sets = NULL, o->set_count = 0;
+  for (size_t i = 0; i < count; i++) {
+    const char **all = sweep_is_set_file(given[i]) ? NULL : sweep_keep(&o->set_memory, o->set_count + 1, sizeof *all);
+    if (sweep_is_set_file(given[i])) {
+      o->set_files[o->set_file_count++] = given[i];
+      if (!sweep_set_file_texts(&o->set_memory, given[i], &o->sets, &o->set_count)) return false;
+    } else {
+      if (!all) return false;
+      for (size_t k = 0; k < o->set_count; k++) all[k] = o->sets[k];
+      all[o->set_count++] = given[i], o->sets = all;
+    }
+  }
+  o->pairs.from = 1, o->pairs.to = cli_options_parts(o);
+  if (!o->only || o->frames.count || o->tiles.columns ||
+      cli_range_read(o->only, o->pairs.to, &o->pairs.from, &o->pairs.to)) return true;
+  fprintf(stderr, "vs: --only %s: expected numbers of models with their sets, at most 1..%ld\n", o->only, o->pairs.to);
+  return false;
+}
+
 /* Checks the options of vs render and vs sweep. */
 static bool batch_fits(cli_options *o) {
   bool sweeps = o->command == CLI_COMMAND_sweep;
@@ -122,11 +146,13 @@ static bool batch_fits(cli_options *o) {
                    "for vs sweep\n", stderr);
     return false;
   }
-  if (!sweeps && (o->sample || o->seed || o->where || o->sort || (o->only && !o->frames.count && !o->tiles.columns))) {
-    fputs("vs: --sample, --seed, --where and --sort are for vs sweep, and --only for vs sweep, --frames and --tiles\n",
-          stderr);
+  bool ranged = sweeps || o->frames.count || o->command == CLI_COMMAND_render;
+  if (!sweeps && (o->sample || o->seed || o->where || o->sort || (o->only && !ranged))) {
+    fputs("vs: --sample, --seed, --where and --sort are for vs sweep, and --only for vs sweep, vs render and "
+          "--frames\n", stderr);
     return false;
   }
+  if (o->command == CLI_COMMAND_render && !pairs_fit(o)) return false;
   if (o->frames.count && o->only && !cli_range_read(o->only, o->frames.count, &o->frames.from, &o->frames.to)) {
     fprintf(stderr, "vs: --only %s: expected numbers of frames, at most 1..%ld\n", o->only, o->frames.count);
     return false;
