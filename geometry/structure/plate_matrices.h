@@ -17,8 +17,8 @@ double vs_plate_axes(const vs_vec3 at[3], vs_vec3 axes[3]);
  * rotations about the normal; across its plane it is a discrete Kirchhoff triangle. */
 void vs_plate_stiffness(const vs_structure_plate *p, const vs_vec3 at[3], vs_plate_matrix k);
 
-/* Sets forces to the membrane forces n_x, n_y, n_xy and the moments m_x, m_y, m_xy in the middle of the triangle, in its
- * own axes. A positive moment stretches the lower side. moved: the corners' movements, in global axes. */
+/* Sets forces to those in the triangle's middle, on its own axes: n_x, n_y, n_xy, m_x, m_y, m_xy. Moments that stretch
+ * the lower side are positive. moved: the corners' movements. */
 void vs_plate_forces(const vs_structure_plate *p, const vs_vec3 at[3], const double moved[VS_PLATE_WAYS],
                      double forces[VS_PLATE_FORCES]);
 

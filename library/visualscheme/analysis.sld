@@ -4,9 +4,13 @@
     frame frame? frame-solve displacement rotation reaction reaction-moment member-force member-forces case-names combine-cases utilisation
     member-displacement buckling-modes vibration-modes mode? mode-value mode-curves deformed frame-picture color-legend
     u-value heat-balance
+    view-factor daylight-factor faces-in sun-hours-on color-faces
+    walking-speed flow-time egress-time rooms-of-cut turning-area areas-by-use
+    carbon glass-share pareto-front pareto-set
     egress egress-distance egress-path longest-egress isovist optimise
     round-section tube-section rectangle-section box-section any-section section? section-area
     structural-material structural-material?)
   (import (visualscheme) (analysis core))
   (include "analysis/sections.scm" "analysis/frames.scm" "analysis/results.scm" "analysis/actions.scm" "analysis/timber.scm" "analysis/checks.scm"
-           "analysis/sizing.scm" "analysis/deformation.scm" "analysis/members.scm" "analysis/modes.scm" "analysis/heat.scm" "analysis/plans.scm" "analysis/search.scm"))
+           "analysis/sizing.scm" "analysis/deformation.scm" "analysis/members.scm" "analysis/modes.scm" "analysis/heat.scm" "analysis/light.scm" "analysis/plans.scm" "analysis/people.scm"
+           "analysis/quantities.scm" "analysis/search.scm" "analysis/goals.scm"))
