@@ -34,7 +34,7 @@
          (posts (if closed (drop-right at 1) at)) (rows (iota (+ n 1))))
     (if (> n most-parts) (error 'curtain-wall "a grid of ~a makes more than ~a rows" (second grid) most-parts))
     (for-each (lambda (p q) (if (<= (distance p q) (* 1.001 frame)) (error 'curtain-wall "a cell at ~s is narrower than the frame of ~a" p frame))) at (cdr at))
-    (unite
+    (element "curtain wall" (unite
       (in-material material
         (unite (map (lambda (p a b) (upright-bar p (v+v a b) height frame)) posts before after)
                (append-map (lambda (p q v)
@@ -44,4 +44,4 @@
           (append-map (lambda (p q v)
                         (let ((w (- (distance p q) frame)) (h (- step frame)))
                           (map (lambda (i) (do-move (do-rotate (panel w h) 'z (pol-phi v)) (p->q origin (+z (p+v p (v*r v (/ frame 2))) (+ frame (* i step)))))) (iota n))))
-            at (cdr at) ways)))))
+            at (cdr at) ways))))))

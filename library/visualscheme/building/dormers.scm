@@ -53,8 +53,8 @@
                       (front (- s o) end (cons (- e) low) (cons 0 high) (cons e low) (cons e (- low t)) (cons 0 (- high t)) (cons (- e) (- low t))))
                     (let ((z (lambda (y) (+ eave (* own (- y s))))))
                       (side (+ r o) (cons (- s o) (z (- s o))) (cons end (z end)) (cons end (- (z end) t)) (cons (- s o) (- (z (- s o)) t))))))
-           (clear (max 0.2 (- h t 0.45))) (wide (- w (* 2 c) 0.2)) (sill (+ foot 0.3))
-           (window? (and (plan-window d) (> thick 0) (> wide 0.2)))
+           (clear (- h t 0.45)) (wide (- w (* 2 c) 0.2)) (sill (+ foot 0.3))
+           (window? (and (plan-window d) (> thick 0) (> wide 0.35) (> clear 0.35)))
            (hole (make-box (xyz (/ wide -2) (- s 0.5) sill) (xyz (/ wide 2) (+ s c 0.01) (+ sill clear)))))
       (map placed
         (list (unite (body r s 0) cap)

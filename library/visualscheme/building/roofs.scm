@@ -181,8 +181,9 @@
          (top (apply max (append-map (lambda (f) (map cz (cdr f))) all)))
          (loops (loops-of 'roof outline)) (pitches (pitches-of 'roof pitch gables (apply + (map length loops))))
          (built (map (lambda (d) (dormer-solids d loops pitches mansard top (or thickness 0))) (dormers-of dormers))))
-    (cond ((and (null? built) thickness) (subtract solid (do-move solid (vxyz 0 0 (- thickness)))))
-          ((null? built) solid)
-          (thickness
-            (unite (subtract (unite solid (map first built)) (do-move solid (vxyz 0 0 (- thickness))) (map second built)) (map third built)))
-          (else (unite solid (map first built))))))
+    (element "roof"
+      (cond ((and (null? built) thickness) (subtract solid (do-move solid (vxyz 0 0 (- thickness)))))
+            ((null? built) solid)
+            (thickness
+              (unite (subtract (unite solid (map first built)) (do-move solid (vxyz 0 0 (- thickness))) (map second built)) (map third built)))
+            (else (unite solid (map first built)))))))

@@ -11,11 +11,15 @@
   (loops-of who (if (or (curve? outline) (and (pair? outline) (point? (car outline)))) (list (loop-points outline))
                     (if (list? outline) (map loop-points outline) (loop-points outline)))))
 
+; An object with its class of IFC.
+(define-primitive (element [class any?] [body any?]) body)
+
 (define (slab outline #:layers [layers any? 0.2] #:holes [holes any? '()])
   (let* ((layers (layers-of 'slab layers))
          (loops (append (outline-loops 'slab outline) (if (null? holes) '() (outline-loops 'slab holes)))) (top (cz (caar loops))))
-    (unite (map (lambda (l down) (in-material (second l) (area-solid loops (- top down (first l)) (- top down))))
-             layers (drop-right (sums 0 (map first layers)) 1)))))
+    (element "slab"
+      (unite (map (lambda (l down) (in-material (second l) (area-solid loops (- top down (first l)) (- top down))))
+               layers (drop-right (sums 0 (map first layers)) 1))))))
 
 ; Returns width and depth of a section: a number, or a list of two.
 (define (section-size who size)
@@ -27,10 +31,11 @@
   (check-point 'column "place" place)
   (check-positive 'column "height" height)
   (check-number 'column "turn" turn)
-  (in-material material
+  (element "column"
+   (in-material material
     (if (curve? size) (do-move (do-extrude size height) (p->q origin place))
         (let* ((s (section-size 'column size)) (w (/ (first s) 2)) (d (/ (second s) 2)))
-          (do-move (do-rotate (make-box (xyz (- w) (- d) 0) (xyz w d height)) 'z turn) (p->q origin place))))))
+          (do-move (do-rotate (make-box (xyz (- w) (- d) 0) (xyz w d height)) 'z turn) (p->q origin place)))))))
 
 ; A beam hangs below the line from p to q.
 (define (beam p q #:size [size any? '(0.2 0.4)] #:material [material any? #f])
@@ -39,8 +44,8 @@
   (if (meet? p q) (error 'beam "the ends of the beam must differ, got ~s" p))
   (let* ((s (section-size 'beam size)) (u (unitize (p->q p q))) (level? (< (abs (cz u)) 0.999999))
          (side (if level? (unitize (cross uz u)) uy)) (down (v*r (cross u side) (- (second s)))) (half (v*r side (/ (first s) 2))))
-    (in-material material
-      (hull (append-map (lambda (e) (list (p+v e half) (p-v e half) (p+v (p+v e half) down) (p+v (p-v e half) down))) (list p q))))))
+    (element "beam" (in-material material
+      (hull (append-map (lambda (e) (list (p+v e half) (p-v e half) (p+v (p+v e half) down) (p+v (p-v e half) down))) (list p q)))))))
 
 ; Stairs.
 
@@ -163,7 +168,7 @@
     (if (> (abs rise) (* l (+ slope 1e-9)))
         (error 'ramp "the ramp rises ~a on a length of ~a: a slope of ~a needs ~a" (shown rise) (shown l) slope (shown (/ (abs rise) slope))))
     (let* ((v (way from to)) (side (lambda (p) (aside p v (/ width -2)))) (a (side from)) (b (side to)))
-      (do-extrude (make-polygon a b (+z b (- thickness)) (+z a (- thickness))) (v*r (left v) width)))))
+      (element "ramp" (do-extrude (make-polygon a b (+z b (- thickness)) (+z a (- thickness))) (v*r (left v) width))))))
 
 (define (railing path #:height [height any? 1] #:spacing [spacing any? 1] #:rails [rails any? 2] #:radius [radius any? 0.02])
   (for-each (lambda (n x) (check-positive 'railing n x)) '("height" "spacing" "radius") (list height spacing radius))
@@ -180,9 +185,10 @@
                          stops (cdr stops))
                        (list (last points))))
          (bar (lambda (z r) (unite (map (lambda (a b) (make-capsule (+z a z) (+z b z) r)) points (cdr points))))))
-    (unite (map (lambda (p) (make-cylinder p height (* 0.8 radius))) feet)
-           (bar height radius)
-           (map (lambda (i) (bar (/ (* height (+ i 1)) (+ rails 1)) (/ radius 2))) (iota rails)))))
+    (element "railing"
+      (unite (map (lambda (p) (make-cylinder p height (* 0.8 radius))) feet)
+             (bar height radius)
+             (map (lambda (i) (bar (/ (* height (+ i 1)) (+ rails 1)) (/ radius 2))) (iota rails))))))
 (define (place-in-space points s)
   (let ((l (distance (car points) (cadr points))))
     (if (or (<= s l) (null? (cddr points))) (intermediate-point (car points) (cadr points) (/ s l)) (place-in-space (cdr points) (- s l)))))
