@@ -19,6 +19,7 @@
 #include "session/advice.h"
 #include "session/spine.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -37,6 +38,7 @@
 #include "session/light/pictures.h"
 #include "session/report.h"
 #include "session/statistics.h"
+#include "model/standard_views.h"
 #include "solids/drawn_bounds.h"
 #include "solids/endless_lines.h"
 #include "solids/named_parts.h"
@@ -244,6 +246,29 @@ static void list_views(const vs_scene *scene, char *message, size_t room) {
     int n = snprintf(message + used, room - used, "%s \"%s\"", i > 0 ? "," : "; its views are", scene->views[i].name);
     used += n > 0 ? (size_t)n : 0;
   }
+  const vs_standard_view *row;
+  for (size_t i = 0; (row = vs_standard_view_at(i)) != NULL && used + 2 < room; i++) {
+    int n = snprintf(message + used, room - used, "%s %s", i > 0 ? "," : "; every model has", row->name);
+    used += n > 0 ? (size_t)n : 0;
+  }
+}
+
+/* Sets *out to the view of this name that every model has. Returns false if there is none, or on failure. */
+static bool find_standard(writing *j, const char *name, vs_scene_view *out) {
+  vs_scene *scene = &j->scene;
+  const vs_standard_view *row;
+  size_t i = 0, budget = VS_DRAWN_BOUNDS_MOST;
+  vs_fineness facets = { 0 };
+  vs_kernel_options options = { .job = &j->job };
+  vs_drawn_search search = { .facets = &facets, .options = &options, .budget = &budget };
+  vs_bounds b;
+  while ((row = vs_standard_view_at(i)) != NULL && strcmp(row->name, name) != 0) i++;
+  if (!row || !scene->drawn_count) return false;
+  if (!vs_drawn_bounds_all(scene->drawn, scene->drawn_count, &search, &b, &j->error)) return false;
+  if (vs_bounds_is_empty(&b) || !isfinite(vs_bounds_diagonal(&b))) return false;
+  *out = vs_standard_view_for(row, &b);
+  if (out->cut == VS_CUT_OWN) vs_standard_cut_plan(scene, &b, out);
+  return true;
 }
 
 static bool stage_view(writing *j) {
@@ -255,6 +280,9 @@ static bool stage_view(writing *j) {
       : vs_scene_own_view(scene);
   /* in a mesh or a page, the model is cut only by a view that the user requests by name */
   if (!name && (!view || (view->cut == VS_CUT_PLANE && !vs_backend_has(j->format->backend, VS_FRAMES)))) return true;
+  vs_scene_view standard;
+  if (!view && find_standard(j, name, &standard)) view = &standard;
+  if (!view && j->error.kind != VS_ERROR_NONE) return false;
   if (!view) {
     char message[400];
     snprintf(message, sizeof message, "the model has no view \"%.100s\"", name);

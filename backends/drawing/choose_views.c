@@ -5,47 +5,16 @@
 #include <string.h>
 
 #include "backends/drawing/choose_views.h"
+#include "model/standard_views.h"
 
 double vs_drawing_unit(const vs_scene *scene) { return 1000 * vs_scene_metres(scene); }
-
-/* Sets a plan's horizontal cut: 1.2 m above the ground if the model reaches more than 1.5 m above it, otherwise 1.2 m
- * above the model's lowest point. */
-static void cut_plan(const vs_emitter *e, vs_scene_view *v) {
-  const vs_scene *scene = e->scene;
-  double metre = 1000 / vs_drawing_unit(scene), low = e->bounds.min.z;
-  if (scene->has_ground && scene->ground_z > low && scene->ground_z < e->bounds.max.z) low = scene->ground_z;
-  v->cut = e->bounds.max.z > low + 1.5 * metre ? VS_CUT_PLANE : VS_CUT_NONE;
-  v->cut_point = vs_v3(0, 0, low + 1.2 * metre), v->cut_normal = vs_v3(0, 0, -1);
-}
-
-/* Sets a vertical cut through the centre of the model, seen from the front. */
-static void cut_section(const vs_emitter *e, vs_scene_view *v) {
-  vs_vec3 middle = vs_v3_scale(vs_v3_add(e->bounds.min, e->bounds.max), 0.5);
-  v->cut_point = middle, v->cut_normal = vs_v3(0, 1, 0);
-  v->eye = middle, v->target = vs_v3_add(middle, v->cut_normal);
-}
-
-/* The views that every model has. whole: whether the sheet of all views contains the view. */
-static const struct { const char *name; vs_view view; vs_cut cut; bool whole; } own[] = {
-  { "plan", VS_VIEW_TOP, VS_CUT_OWN, true },       { "section", VS_VIEW_ALONG, VS_CUT_PLANE, true },
-  { "front", VS_VIEW_FRONT, VS_CUT_NONE, true },   { "right", VS_VIEW_RIGHT, VS_CUT_NONE, true },
-  { "back", VS_VIEW_BACK, VS_CUT_NONE, true },     { "left", VS_VIEW_LEFT, VS_CUT_NONE, true },
-  { "elevation", VS_VIEW_FRONT, VS_CUT_NONE, false }, { "top", VS_VIEW_TOP, VS_CUT_NONE, false },
-  { "bottom", VS_VIEW_BOTTOM, VS_CUT_NONE, false }, { "isometric", VS_VIEW_ISO, VS_CUT_NONE, false },
-};
-
-static vs_scene_view own_view(const vs_emitter *e, size_t i) {
-  vs_scene_view v = { .name = own[i].name, .view = own[i].view, .cut = own[i].cut, .lens = 35 };
-  if (v.cut == VS_CUT_PLANE) cut_section(e, &v);
-  return v;
-}
 
 static bool add(vs_emitter *e, vs_flat_view **out, size_t *count, size_t *room, vs_scene_view view) {
   if (!vs_emit_grow(e, out, room, *count + 1, sizeof **out)) return false;
   if (view.view == VS_VIEW_PANORAMA)
     return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "the view \"%.100s\" is a panorama, which only pictures show",
                         view.name);
-  if (view.cut == VS_CUT_OWN) cut_plan(e, &view);
+  if (view.cut == VS_CUT_OWN) vs_standard_cut_plan(e->scene, &e->bounds, &view);
   (*out)[(*count)++] = (vs_flat_view){ .spec = view, .has_cut = view.cut == VS_CUT_PLANE };
   return true;
 }
@@ -55,8 +24,9 @@ static bool add(vs_emitter *e, vs_flat_view **out, size_t *count, size_t *room, 
 static bool find(const vs_emitter *e, const char *name, vs_scene_view *out) {
   const vs_scene_view *v = vs_scene_find_view(e->scene, name);
   if (v) return *out = *v, true;
-  for (size_t i = 0; i < sizeof own / sizeof *own; i++)
-    if (strcmp(own[i].name, name) == 0) return *out = own_view(e, i), true;
+  const vs_standard_view *own;
+  for (size_t i = 0; (own = vs_standard_view_at(i)) != NULL; i++)
+    if (strcmp(own->name, name) == 0) return *out = vs_standard_view_for(own, &e->bounds), true;
   return false;
 }
 
@@ -97,8 +67,9 @@ static bool unknown(vs_emitter *e, const char *name) {
   int used = snprintf(message, sizeof message, "the model has no view \"%.80s\"; there are", name);
   for (size_t i = 0; i < e->scene->view_count && used < 300; i++)
     used += snprintf(message + used, sizeof message - (size_t)used, " \"%.40s\",", e->scene->views[i].name);
-  for (size_t i = 0; i < sizeof own / sizeof *own && used < 400; i++)
-    used += snprintf(message + used, sizeof message - (size_t)used, "%s %s", i > 0 ? "," : "", own[i].name);
+  const vs_standard_view *own;
+  for (size_t i = 0; (own = vs_standard_view_at(i)) != NULL && used < 400; i++)
+    used += snprintf(message + used, sizeof message - (size_t)used, "%s %s", i > 0 ? "," : "", own->name);
   return vs_error_set(e->error, VS_ERROR_FILE, NULL, "%s", message);
 }
 
@@ -118,7 +89,8 @@ bool vs_drawing_choose(vs_emitter *e, vs_flat_view **out, size_t *count, size_t 
   bool ok = true;
   for (size_t i = 0; ok && i < e->scene->view_count; i++)
     ok = e->scene->views[i].view == VS_VIEW_PANORAMA || add(e, out, count, room, e->scene->views[i]);
-  for (size_t i = 0, named_views = *count; ok && named_views == 0 && i < sizeof own / sizeof *own; i++)
-    if (own[i].whole) ok = add(e, out, count, room, own_view(e, i));
+  const vs_standard_view *own;
+  for (size_t i = 0, named_views = *count; ok && named_views == 0 && (own = vs_standard_view_at(i)) != NULL; i++)
+    if (own->whole) ok = add(e, out, count, room, vs_standard_view_for(own, &e->bounds));
   return ok;
 }
