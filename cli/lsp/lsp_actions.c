@@ -19,7 +19,7 @@ static const char *const leads[] = {
 typedef struct {
   lsp_server *s;
   lsp_document *d;
-  const know_finding *finding; /* the message; NULL: the text cannot be read, and d->draft.message says why */
+  const know_finding *finding; /* the message; NULL: the text cannot be read, and d->draft->message says why */
   lsp_span at;                 /* place of the message */
   const char *comma;
   unsigned tried, offered;
@@ -54,10 +54,11 @@ static bool mends(remedy *r, const edit *e) {
   fwrite(e->text, 1, e->length, to);
   fwrite(d->text + e->at.to, 1, d->length - e->at.to, to);
   cli_draft after = { 0 };
-  bool good = fclose(to) == 0 && cli_draft_read(&after, r->s->interpreter, d->path, text, length);
-  if (good && !r->finding) good = after.known || is_later(&after.at, &d->draft.at);
+  vs_options o = lsp_document_options(r->d, r->s->interpreter);
+  bool good = fclose(to) == 0 && cli_draft_read(&after, &o, d->path, text, length);
+  if (good && !r->finding) good = after.known || is_later(&after.at, &d->draft->at);
   else if (good)
-    good = after.known && after.found.count <= d->draft.found.count &&
+    good = after.known && after.found.count <= d->draft->found.count &&
            !still_found(&after, r->finding, r->finding->at.from);
   cli_draft_free(&after);
   free(text);
@@ -146,7 +147,7 @@ static bool is_made_of(const remedy *r, bool name, const edit *e) {
 
 /* Returns true for the finding's node, the nodes in it, and the list whose first element it is. */
 static bool concerns(const remedy *r, const know_node *n) {
-  const know_node *first = n->kind == KNOW_LIST && n->first ? know_at(&r->d->draft.k, n->first) : n;
+  const know_node *first = n->kind == KNOW_LIST && n->first ? know_at(&r->d->draft->k, n->first) : n;
   return (n->at.from >= r->at.from && n->at.to <= r->at.to) ||
          (first->at.from == r->at.from && first->at.to == r->at.to);
 }
@@ -154,7 +155,7 @@ static bool concerns(const remedy *r, const know_node *n) {
 /* Offers to write the advice instead of the finding's text, or instead of a part of it: of the smallest that fits, for
  * the parts of a node come after it. */
 static void offer_advice(remedy *r, const char *advice, size_t n) {
-  const knowledge *k = &r->d->draft.k;
+  const knowledge *k = &r->d->draft->k;
   bool done = false;
   for (know_index i = (know_index)k->text_nodes; i && !done && n < MOST_TEXT; i--) {
     const know_node *node = know_at(k, i);
@@ -249,7 +250,7 @@ static void offer_closing(remedy *r) {
 
 static void offer_reading(remedy *r) {
   const lsp_document *d = r->d;
-  const char *message = d->draft.message, *end = message + strlen(message), *at;
+  const char *message = d->draft->message, *end = message + strlen(message), *at;
   if (strstr(message, "is missing") && r->at.from < d->length) offer_closing(r);
   if ((at = strstr(message, " belongs here")) && at - message >= 2 && at[-2] == ' ')
     offer_text(r, &(edit){ r->at, at - 1, 1 });
@@ -287,10 +288,10 @@ void lsp_actions(lsp_server *s, cli_data parameters) {
     bool known = lsp_document_study(d, s->interpreter);
     lsp_span asked = lsp_range_of(&s->json, d, cli_data_at(&s->json, parameters, "range"));
     remedy r = { .s = s, .d = d, .comma = "" };
-    r.at = lsp_place(d->text, d->length, &d->draft.at);
+    r.at = lsp_place(d->text, d->length, &d->draft->at);
     if (!known && touches(r.at, asked)) mend(&r);
-    for (size_t i = 0; known && i < d->draft.found.count; i++) {
-      r.finding = &d->draft.found.at[i], r.at = lsp_finding_span(d, r.finding), r.tried = r.offered = 0;
+    for (size_t i = 0; known && i < d->draft->found.count; i++) {
+      r.finding = &d->draft->found.at[i], r.at = lsp_finding_span(d, r.finding), r.tried = r.offered = 0;
       if (!r.finding->at.file && touches(r.at, asked)) mend(&r);
     }
   }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/lsp/lsp_libraries.h"
 #include "cli/lsp/lsp_words.h"
 #include "cli/prompt/source_text.h"
 #include "languages/analysis/notation.h"
@@ -32,7 +33,7 @@ static size_t offset_of(const lsp_server *s, const lsp_document *d, cli_data par
 static know_index asked(lsp_server *s, cli_data parameters, knowledge **k, know_index *node) {
   lsp_document *d = lsp_find(s, parameters);
   if (!d || !lsp_document_study(d, s->interpreter)) return 0;
-  *k = &d->draft.k;
+  *k = &d->draft->k;
   return lsp_symbol_at(*k, offset_of(s, d, parameters), node);
 }
 
@@ -59,9 +60,15 @@ static void add_builtin(FILE *to, const char *call, const char *keywords, const 
   fputs(doc, to);
 }
 
-static void add_symbol(FILE *to, const knowledge *k, know_index symbol) {
+static void add_symbol(FILE *to, knowledge *k, know_index symbol) {
   const know_symbol *s = &k->symbols[symbol];
   size_t n = 0;
+  vs_name_info info;
+  if (lsp_is_imported(k, symbol, &info)) {
+    add_builtin(to, *info.call ? info.call : s->text, info.keywords, "");
+    lsp_add_imported_comment(to, k, s->text, &info.at);
+    return;
+  }
   if (s->kind == KNOW_BUILTIN || !s->definition) {
     add_builtin(to, s->call ? s->call : "", s->keywords ? s->keywords : "", s->doc ? s->doc : "");
     return;
@@ -94,7 +101,15 @@ void lsp_hover(lsp_server *s, cli_data parameters) {
 
 /* ---- completion ---- */
 
-typedef struct { lsp_server *s; const char *comma; lsp_document *d; lsp_span word; } completion;
+/* k: the newest analysis of the text that could be made, or NULL. scheme: the interpreter whose names are offered. */
+typedef struct {
+  lsp_server *s;
+  const char *comma;
+  lsp_document *d;
+  lsp_span word;
+  knowledge *k;
+  vs_scheme *scheme;
+} completion;
 enum { KIND_FUNCTION = 3, KIND_VARIABLE = 6, KIND_FORM = 14 };
 
 static void put_item(completion *c, const char *name, int kind, const char *detail, const char *doc) {
@@ -113,17 +128,26 @@ static void put_item(completion *c, const char *name, int kind, const char *deta
   c->comma = ",";
 }
 
+/* Returns whether complete_symbols offers the name. */
+static bool is_defined(const knowledge *k, const char *name) {
+  for (know_index i = 1; i < k->symbol_count; i++) {
+    const know_symbol *y = &k->symbols[i];
+    if (y->kind != KNOW_BUILTIN && !y->made && y->definition && !strcmp(y->text, name)) return true;
+  }
+  return false;
+}
+
 static bool complete_name(void *context, const char *name) {
   completion *c = context;
   vs_name_info info;
-  if (!vs_name_get(c->s->language, name, &info)) return true;
+  if (!vs_name_get(c->scheme, name, &info) || (info.own && c->k && is_defined(c->k, name))) return true;
   int kind = !strcmp(info.kind, "procedure") ? KIND_FUNCTION : !strcmp(info.kind, "form") ? KIND_FORM : KIND_VARIABLE;
   put_item(c, name, kind, info.call, info.doc);
   return true;
 }
 
 static void complete_symbols(completion *c, const char *prefix) {
-  const knowledge *k = &c->d->draft.k;
+  knowledge *k = c->k;
   for (know_index i = 1; i < k->symbol_count; i++) {
     const know_symbol *y = &k->symbols[i];
     if (y->kind == KNOW_BUILTIN || y->made || !y->definition || strncmp(y->text, prefix, strlen(prefix))) continue;
@@ -134,7 +158,7 @@ static void complete_symbols(completion *c, const char *prefix) {
     size_t n = 0;
     const char *text = know_spelling(k, signature_of(k, y), &n);
     if (!again) put_item(c, y->text, y->kind == KNOW_FUNCTION ? KIND_FUNCTION : KIND_VARIABLE,
-                         know_text(&c->d->draft.k, text, n), know_symbol_word((know_symbol_kind)y->kind));
+                         know_text(k, text, n), know_symbol_word((know_symbol_kind)y->kind));
   }
 }
 
@@ -148,10 +172,11 @@ void lsp_completion(lsp_server *s, cli_data parameters) {
   while (from && !lsp_ends_word(d->text[from - 1])) from--;
   char prefix[200];
   snprintf(prefix, sizeof prefix, "%.*s", (int)(to - from), d->text + from);
-  completion c = { s, "", d, { (uint32_t)from, (uint32_t)to } };
+  completion c = { s, "", d, { (uint32_t)from, (uint32_t)to }, lsp_document_knowledge(d, s->interpreter), s->language };
   fputs("[", s->to);
-  if (lsp_document_study(d, s->interpreter)) complete_symbols(&c, prefix);
-  vs_complete(s->language, prefix, complete_name, &c);
+  if (c.k) complete_symbols(&c, prefix);
+  if (c.k) c.scheme = c.k->scheme; /* it has the names of imported libraries */
+  vs_complete(c.scheme, prefix, complete_name, &c);
   fputs("]", s->to);
 }
 
@@ -192,7 +217,7 @@ void lsp_signature(lsp_server *s, cli_data parameters) {
     d->text[offset] = kept;
   }
   vs_name_info info;
-  const knowledge *k = d && lsp_document_study(d, s->interpreter) ? &d->draft.k : NULL;
+  const knowledge *k = d ? lsp_document_knowledge(d, s->interpreter) : NULL;
   FILE *to = s->to;
   fprintf(to, "{\"activeParameter\":%d,\"signatures\":[", call.argument > 0 ? call.argument : 0);
   for (know_index i = 1; found && k && i < k->symbol_count; i++) {
@@ -202,7 +227,7 @@ void lsp_signature(lsp_server *s, cli_data parameters) {
     put_signature(to, text, n, "");
     found = false;
   }
-  if (found && vs_name_get(s->language, call.name, &info))
+  if (found && vs_name_get(k ? k->scheme : s->language, call.name, &info))
     for (const char *at = info.call, *comma = ""; *at; comma = ",") {
       size_t n = strcspn(at, "\n");
       fputs(comma, to);
@@ -217,7 +242,9 @@ void lsp_signature(lsp_server *s, cli_data parameters) {
 void lsp_definition(lsp_server *s, cli_data parameters) {
   knowledge *k = NULL;
   know_index node = 0, symbol = asked(s, parameters, &k, &node);
+  vs_name_info info;
   if (symbol && k->symbols[symbol].definition) lsp_put_location(s->to, k, k->symbols[symbol].definition);
+  else if (symbol && lsp_is_imported(k, symbol, &info)) lsp_put_imported(s->to, k, k->symbols[symbol].text, &info.at);
   else fputs("null", s->to);
 }
 
@@ -280,7 +307,8 @@ void lsp_rename(lsp_server *s, cli_data parameters) {
   size_t length = 0;
   char *text = renamed(k, symbol, name, &length);
   cli_draft after = { 0 };
-  bool same = text && cli_draft_read(&after, s->interpreter, d->path, text, length) && same_meaning(&d->draft, &after);
+  vs_options o = lsp_document_options(d, s->interpreter);
+  bool same = text && cli_draft_read(&after, &o, d->path, text, length) && same_meaning(d->draft, &after);
   cli_draft_free(&after);
   free(text);
   s->refused = "the new name would change the meaning of the program";
@@ -306,7 +334,7 @@ void lsp_rename(lsp_server *s, cli_data parameters) {
 
 void lsp_outline(lsp_server *s, cli_data parameters) {
   lsp_document *d = lsp_find(s, parameters);
-  const knowledge *k = d && lsp_document_study(d, s->interpreter) ? &d->draft.k : NULL;
+  const knowledge *k = d && lsp_document_study(d, s->interpreter) ? &d->draft->k : NULL;
   const char *comma = "";
   fputc('[', s->to);
   for (know_index i = 1; k && i < k->symbol_count; i++) {

@@ -136,6 +136,6 @@ void lsp_colours(lsp_server *s, cli_data parameters) {
     return;
   }
   fputs("{\"data\":[", s->to);
-  if (known) put_words(s, &d->draft.k);
+  if (known) put_words(s, &d->draft->k);
   fputs("]}", s->to);
 }

@@ -1,9 +1,11 @@
 /* Keeps the texts that an editor has open, with their edits and their analysis. */
+#define _GNU_SOURCE
 #include "cli/lsp/lsp_document.h"
 
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/packages/package_lock.h"
 #include "model/characters.h"
 #include "model/store/array.h"
 
@@ -102,13 +104,15 @@ lsp_document *lsp_document_open(const char *uri, const char *text, size_t length
   lsp_document *d = vs_zeros(1, sizeof *d);
   if (!d) return NULL;
   *d = (lsp_document){ .uri = strdup(uri), .path = path_of(uri) };
+  d->draft = &d->drafts[0];
   if (d->uri && d->path && lsp_document_edit(d, 0, 0, text, length)) return d;
   lsp_document_free(d);
   return NULL;
 }
 
 void lsp_document_free(lsp_document *d) {
-  cli_draft_free(&d->draft);
+  for (size_t i = 0; i < 2; i++) cli_draft_free(&d->drafts[i]);
+  free(d->libraries);
   free(d->uri);
   free(d->path);
   free(d->text);
@@ -127,11 +131,35 @@ bool lsp_document_edit(lsp_document *d, size_t from, size_t to, const char *text
   return true;
 }
 
+/* Finds the text's packages at its first analysis. Packages that have changed are not used. */
+static void find_libraries(lsp_document *d, const char *folders) {
+  char path[4200], why[PACKAGE_WHY];
+  if (d->libraries || !package_path(d->path, path, sizeof path, why)) return;
+  if (asprintf(&d->libraries, "%s%s%s", path, *path && folders ? ":" : "", folders ? folders : "") < 0)
+    d->libraries = NULL;
+}
+
+vs_options lsp_document_options(lsp_document *d, const vs_options *interpreter) {
+  vs_options o = *interpreter;
+  find_libraries(d, o.library_path);
+  if (d->libraries) o.library_path = d->libraries;
+  return o;
+}
+
+/* An analysis that could be made is kept until the next one: lsp_document_knowledge returns it. */
 bool lsp_document_study(lsp_document *d, const vs_options *interpreter) {
-  if (d->fresh) return d->draft.known;
-  cli_draft_free(&d->draft);
-  d->fresh = cli_draft_read(&d->draft, interpreter, d->path, d->text, d->length);
-  return d->draft.known;
+  if (d->fresh) return d->draft->known;
+  vs_options o = lsp_document_options(d, interpreter);
+  if (d->draft->known) d->draft = &d->drafts[d->draft == &d->drafts[0]];
+  cli_draft_free(d->draft);
+  d->fresh = cli_draft_read(d->draft, &o, d->path, d->text, d->length);
+  return d->draft->known;
+}
+
+knowledge *lsp_document_knowledge(lsp_document *d, const vs_options *interpreter) {
+  bool known = lsp_document_study(d, interpreter);
+  cli_draft *other = &d->drafts[d->draft == &d->drafts[0]];
+  return known ? &d->draft->k : other->known ? &other->k : NULL;
 }
 
 bool lsp_is_name_of(const knowledge *k, know_index node, know_index symbol) {

@@ -11,8 +11,9 @@ typedef struct { uint32_t from, to; } lsp_span; /* the bytes from `from` to `to`
 typedef struct {
   char *uri, *path, *text;
   size_t length, room;
-  cli_draft draft;     /* analysis of the text; empty if the text was not analysed yet */
-  bool fresh;          /* whether draft is the analysis of the present text */
+  cli_draft drafts[2], *draft; /* draft: the one that analyses the text; empty if the text was not analysed yet */
+  bool fresh;          /* whether draft is the analysis of the present text; else it is that of an earlier text */
+  char *libraries;     /* folders of libraries: those of the text's packages and of the server, or NULL */
 } lsp_document;
 
 /* lsp_offset returns the offset in bytes of a position, at most `length`. lsp_position_of returns the position of an
@@ -31,8 +32,13 @@ void lsp_document_free(lsp_document *d);
 /* Replaces the bytes from `from` to `to` - 1 of the document. Returns false when memory is out; the document is then
  * unchanged. */
 bool lsp_document_edit(lsp_document *d, size_t from, size_t to, const char *text, size_t length);
+/* Returns the interpreter's options, with the packages of the text's folder. */
+vs_options lsp_document_options(lsp_document *d, const vs_options *interpreter);
 /* Analyses the present text, if this was not done yet. Returns true if the text could be analysed. */
 bool lsp_document_study(lsp_document *d, const vs_options *interpreter);
+/* Returns the newest analysis of the text that could be made: while the user types a form, that of the text before.
+ * Returns NULL if there is none. */
+knowledge *lsp_document_knowledge(lsp_document *d, const vs_options *interpreter);
 /* Returns the symbol (a name with its definition) whose name is at the byte `offset`, or 0. Sets *node to the name's
  * node. */
 know_index lsp_symbol_at(const knowledge *k, size_t offset, know_index *node);

@@ -45,11 +45,11 @@ static know_index drawing_of(const knowledge *k) {
 void lsp_lens(lsp_server *s, cli_data parameters) {
   lsp_document *d = lsp_find(s, parameters);
   bool known = d && know_reads(d->path) && lsp_document_study(d, s->interpreter);
-  know_index drawing = known ? drawing_of(&d->draft.k) : 0;
+  know_index drawing = known ? drawing_of(&d->draft->k) : 0;
   fputc('[', s->to);
   if (drawing) {
     fputc('{', s->to);
-    lsp_put_node_range(s->to, "range", &d->draft.k, drawing);
+    lsp_put_node_range(s->to, "range", &d->draft->k, drawing);
     fputs(",\"command\":{\"title\":\"Show the model\",\"command\":\"" LSP_SHOW_COMMAND "\",\"arguments\":[", s->to);
     lsp_put(s->to, d->uri);
     fputs("]}}", s->to);

@@ -65,11 +65,11 @@ lsp_span lsp_finding_span(const lsp_document *d, const know_finding *f) {
 void lsp_write_diagnostic(FILE *to, const lsp_document *d, const know_finding *f) {
   fputc('{', to);
   lsp_put_range(to, "range", d->text, d->length,
-                f ? lsp_finding_span(d, f) : lsp_place(d->text, d->length, &d->draft.at));
+                f ? lsp_finding_span(d, f) : lsp_place(d->text, d->length, &d->draft->at));
   fprintf(to, ",\"severity\":%d,\"source\":\"vs\",\"code\":", f ? 2 : 1);
   lsp_put(to, f ? check_names[f->check] : "unreadable");
   fputs(",\"message\":", to);
-  lsp_put(to, f ? f->details : d->draft.message);
+  lsp_put(to, f ? f->details : d->draft->message);
   fputc('}', to);
 }
 
@@ -78,8 +78,8 @@ void lsp_write_diagnostics(FILE *to, lsp_document *d, const vs_options *interpre
   fputc('[', to);
   bool known = !know_reads(d->path) || lsp_document_study(d, interpreter);
   if (!known) lsp_write_diagnostic(to, d, NULL);
-  for (size_t i = 0; known && i < d->draft.found.count; i++) {
-    const know_finding *f = &d->draft.found.at[i];
+  for (size_t i = 0; known && i < d->draft->found.count; i++) {
+    const know_finding *f = &d->draft->found.at[i];
     if (f->at.file) continue;
     fputs(comma, to);
     lsp_write_diagnostic(to, d, f);

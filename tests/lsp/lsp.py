@@ -432,7 +432,38 @@ def hostile():
         except subprocess.TimeoutExpired: reasons.append(f"the server goes on without its client's {close}"); c.process.kill()
     return reasons
 
-for test in (answers, findings, actions, colours, lens, speed, edits, wrong, hostile):
+# Names of a package's library, and names of the program while a form is typed. The server runs in another folder.
+def libraries():
+    reasons, home = [], work / "häuser"
+    (home / "shelf/towers").mkdir(parents=True)
+    (home / "shelf/towers/spire.sld").write_text("; A library.\n(define-library (towers spire)\n  (export spire height)\n  (import (visualscheme))\n  (begin\n    (define height 3)\n    ; A spire of größe n.\n    ; It stands.\n    (define (spire n)\n      (make-box origin 1 1 (* n height)))))\n")
+    done = subprocess.run([vs, "add", "shelf/towers"], cwd=home, capture_output=True)
+    if done.returncode: reasons.append(str(done))
+    text = "(import (visualscheme) (towers spire))\n(define spices 1)\n(draw (spire spices))\n(display height)\n"
+    uri, c = (home / "model.vs").as_uri(), Client()
+    expect(reasons, "messages", c.open(uri, text), [])
+    hover = c.at("hover", uri, text, "(sp^ire")["contents"]["value"]
+    for part in ("(spire n)", "A spire of größe n.\nIt stands."):
+        if part not in hover: reasons.append(f"hover lacks {part!r}: {hover!r}")
+    expect(reasons, "a comment that is another's", "library" in hover, False)
+    place = c.at("definition", uri, text, "(sp^ire")
+    expect(reasons, "definition", place and (place["uri"], words((home / ".vs/towers/spire.sld").read_text(), place["range"]), place["range"]["start"]["line"]), ((home / ".vs/towers/spire.sld").resolve().as_uri(), "spire", 8))
+    labels = lambda place, text: sorted(i["label"] for i in c.at("completion", uri, text, place))
+    expect(reasons, "completion", [n for n in labels("(spi^re", text) if n.startswith("spi")], ["spices", "spire"])
+    typed = text + "(draw (spi"
+    c.change(uri, {"text": typed})
+    expect(reasons, "completion while a form is typed", [i["label"] for i in c.ask("textDocument/completion", {"textDocument": {"uri": uri}, "position": position(typed, len(typed))}) if i["label"].startswith("spi")], ["spices", "spire"])
+    typed += "re "
+    c.change(uri, {"text": typed})
+    help_ = c.ask("textDocument/signatureHelp", {"textDocument": {"uri": uri}, "position": position(typed, len(typed))})
+    expect(reasons, "signature while a form is typed", [s["label"] for s in help_["signatures"]], ["(spire n)"])
+    (home / ".vs/towers/spire.sld").unlink()
+    c.tell("textDocument/didClose", {"textDocument": {"uri": uri}}); c.diagnostics()
+    if not c.open(uri, text): reasons.append("a package that has changed is used")
+    expect(reasons, "end", c.end(), (0, (b"", b"")))
+    return reasons
+
+for test in (answers, findings, actions, colours, lens, speed, edits, libraries, wrong, hostile):
     if only and only not in "lsp/" + test.__name__: continue
     try: result("lsp/" + test.__name__, test())
     except Exception as e: result("lsp/" + test.__name__, [repr(e)])
