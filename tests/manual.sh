@@ -119,7 +119,7 @@ awk -v work="$work" '
   /^```/ { file = ""; first = 1; next }
   first  { first = 0; if (match($0, /^(%|\/\/) [a-z]+\.(gml|js)$/)) { file = $2 } }
   file   { print > (work "/" file) }' manual/gml.md
-for page in manual/analysis.md manual/building.md manual/gml.md manual/i-want-to.md manual/materials.md manual/drawings.md manual/coming-from-[agoj]*.md manual/language/*.md manual/primitives/*.md manual/rules/*.md; do
+for page in manual/analysis.md manual/assembly.md manual/building.md manual/gml.md manual/i-want-to.md manual/materials.md manual/drawings.md manual/coming-from-[agoj]*.md manual/language/*.md manual/primitives/*.md manual/rules/*.md; do
   name=${page#manual/}
   case $name in coming-from-*) tables=1 ;; *) tables= ;; esac
   cat tests/manual/doctest.vs > "$work/page.vs"
