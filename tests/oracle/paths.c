@@ -250,9 +250,9 @@ void path_make(uint64_t seed, char text[MODEL_ROOM], size_t *which, size_t *way,
   if (any(&m, 3) == 0) wrap(&m, ways[1 + any(&m, 9)], other);
 }
 
-void path_thin(size_t which, char text[MODEL_ROOM]) {
+void path_thin(size_t which, const char *thickness, char text[MODEL_ROOM]) {
   maker m = { .text = text };
   text[0] = 0;
-  say(&m, "(let ([o %s]) (scope-place (make-box-scope (xyz -0.25 -1 1.25) 4 3 3) (if (or (curve? o) (region? o) "
-          "(surface? o)) (do-thicken o 1/64) o)))", samples[which].object);
+  say(&m, "(let ([o %s]) (if (or (curve? o) (region? o) (surface? o)) (do-thicken o %s) o))", samples[which].object,
+      thickness);
 }

@@ -22,7 +22,7 @@ size_t path_sets(void);
  * placement and the set operation that come first in the program. */
 void path_make(uint64_t seed, char text[MODEL_ROOM], size_t *sample, size_t *way, size_t *set);
 
-/* Writes the expression that makes a sample thin, unless it is a solid, and fits it into a box. */
-void path_thin(size_t which, char text[MODEL_ROOM]);
+/* Writes the expression of a sample. A sample that is no solid gets the thickness, a number as text. */
+void path_thin(size_t which, const char *thickness, char text[MODEL_ROOM]);
 
 #endif
