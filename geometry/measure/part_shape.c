@@ -78,6 +78,14 @@ static int by_distance(const void *p, const void *q) {
   return da < db ? -1 : da > db;
 }
 
+/* Returns the height of a corner along a direction in which few corners of usual parts are equally high. */
+static double height(vs_vec3 p) { return 0.46 * p.x + 0.405 * p.y + 0.79 * p.z; }
+
+static int by_height(const void *p, const void *q) {
+  const double a = height(*(const vs_vec3 *)p), b = height(*(const vs_vec3 *)q);
+  return a < b ? -1 : a > b;
+}
+
 /* Fills the shape from the sums s, which are relative to the centroid, and from the n corners `at`. Returns false when
  * memory is out. */
 static bool fill(vs_part_shape *out, const sums *s, const vs_vec3 *at, size_t n) {
@@ -93,10 +101,11 @@ static bool fill(vs_part_shape *out, const sums *s, const vs_vec3 *at, size_t n)
       c[0][1] * (c[1][0] * c[2][2] - c[1][2] * c[2][0]) + c[0][2] * (c[1][0] * c[2][1] - c[1][1] * c[2][0]);
   const vs_vec3 third = vs_v3_scale(s->third, 1 / s->measure);
   out->lean = vs_v3_dot(third, third);
-  if (!VS_FRESH(out->corners, n + 1)) return false;
-  for (size_t i = 0; i < n; i++) out->corners[i] = vs_v3_sub(at[i], s->origin);
+  if (!VS_FRESH(out->corners, n + 1) || !VS_FRESH(out->along, n + 1)) return false;
+  for (size_t i = 0; i < n; i++) out->corners[i] = out->along[i] = vs_v3_sub(at[i], s->origin);
   out->count = n;
   qsort(out->corners, n, sizeof *out->corners, by_distance);
+  qsort(out->along, n, sizeof *out->along, by_height);
   return true;
 }
 
@@ -121,8 +130,8 @@ bool vs_part_shape_of_line(const vs_vec3 *at, size_t n, bool closed, vs_part_sha
 }
 
 void vs_part_shape_free(vs_part_shape *s) {
-  free(s->corners);
-  s->corners = NULL;
+  free(s->corners), free(s->along);
+  s->corners = s->along = NULL;
 }
 
 /* ---- comparison ---- */
@@ -161,10 +170,17 @@ static size_t first_at(const vs_part_shape *s, double distance) {
   return low;
 }
 
+/* Searches by height, since all corners of a ball have one distance. The direction of `height` is at most 1.1 long. */
 static bool has_corner(const vs_part_shape *s, vs_vec3 p, double slack) {
-  const double distance = vs_v3_length(p);
-  for (size_t i = first_at(s, distance - slack); i < s->count && vs_v3_length(s->corners[i]) <= distance + slack; i++)
-    if (vs_v3_length(vs_v3_sub(s->corners[i], p)) <= slack) return true;
+  const double wanted = height(p), least = wanted - 1.1 * slack;
+  size_t low = 0, high = s->count;
+  while (low < high) {
+    const size_t middle = (low + high) / 2;
+    if (height(s->along[middle]) < least) low = middle + 1;
+    else high = middle;
+  }
+  for (; low < s->count && height(s->along[low]) <= wanted + 1.1 * slack; low++)
+    if (vs_v3_length(vs_v3_sub(s->along[low], p)) <= slack) return true;
   return false;
 }
 
@@ -230,6 +246,9 @@ bool vs_part_shapes_equal(const vs_part_shape *a, const vs_part_shape *b, double
   if (a->dimension != b->dimension || !moments_equal(a, b, tolerance)) return false;
   if (a->count != b->count || !a->count) return true;
   const double slack = tolerance * vs_v3_length(a->corners[a->count - 1]);
+  /* Parts that differ only by a move are the most frequent ones; for spheres, a search for turns is slow. */
+  static const turn none = { { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } };
+  if (corners_fit(a, b, &none, &none, 1, slack)) return true;
   return try_motions(a, b, 1, slack) != NO_FIT || try_motions(a, b, -1, slack) != FIT;
 }
 

@@ -11,6 +11,7 @@ typedef struct {
   double spread[3];    /* invariants of the matrix of second moments about the centroid, per unit of measure */
   double lean;         /* square of the length of the vector of third moments, per unit of measure */
   vs_vec3 *corners;    /* corners relative to the centroid, the nearest first */
+  vs_vec3 *along;      /* the same corners in the order of their heights along a direction (part_shape.c) */
   size_t count;        /* number of corners */
 } vs_part_shape;
 

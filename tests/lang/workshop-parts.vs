@@ -73,3 +73,5 @@
 (define upright (refusal (lambda () (label-contours (contours cone #:plane 'xz #:step 1) 0.5))))
 (displayln (string-contains? upright "label-contours: each curve of lines must have one height, got (make-polygon")) ; expect: #t
 (displayln (refusal (lambda () (label-contours (list (list (make-line (xy 0 0) (xy 8 0)))) 1e-300)))) ; expect: label-contours: size 1e-300 is too small for a curve 8.0 long
+; the balls of a frame: moved copies need no search for turns
+(displayln (map length (part-groups (for/list ([i 120]) (make-sphere (xyz i (* 1/3 i i) 0) (if (< (modulo i 3) 2) 0.08 0.09)))))) ; expect: (80 40)
