@@ -142,6 +142,8 @@ typedef struct {
                            * prompt; each error then takes more time */
   bool untrusted;         /* whether the program is untrusted: it reads no files except by read_file and list_folder,
                            * and writes no native text */
+  bool ends_after_interrupt; /* whether the host ends the process after an interrupted call; such a call then returns
+                              * sooner, because it does not free the model's memory */
   const char *library_path; /* folders for load, require and import, separated by ':'. The interpreter searches them
                              * after the folders of the requesting file and of the program. NULL: none */
   /* The result of (command-line): the program's name, then its arguments. If the count is 0, the result contains only

@@ -594,6 +594,8 @@ static int run_session(cli_options *o, bool *told) {
   if (o->untrusted) o->interpreter.host.list_folder = list_untrusted;
   if (!TIDY) o->interpreter.alloc = cli_memory;
   o->interpreter.keep_calls = o->verbose || o->interactive || o->source_count == 0;
+  o->interpreter.ends_after_interrupt =
+      !TIDY && o->command == CLI_COMMAND_NONE && !o->interactive && o->source_count > 0;
   if (o->interpreter.limit_memory) cli_limits_memory(o->interpreter.limit_memory);
   session.watch.limit = o->interpreter.limit_time;
   session.watch.prompt = o->interactive || o->source_count == 0;

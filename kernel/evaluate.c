@@ -104,7 +104,7 @@ static bool find_clusters(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *b
     }
   uint32_t *set = parent; /* during this function, the array contains the union-find parents of the leaves */
   vs_disjoint(set, n);
-  ok = ok && vs_bvh_build(k, &bvh, boxes, n) && vs_bvh_pairs(&bvh, 0, UINT32_MAX, join, set);
+  ok = ok && vs_bvh_build(k, &bvh, boxes, n) && vs_bvh_pairs(k, &bvh, 0, UINT32_MAX, join, set);
   uint32_t *start = NULL, *sorted = NULL;
   size_t start_room = 0, sorted_room = 0;
   ok = ok && VS_ROOM(k, start, start_room, (size_t)n + 2) && VS_ROOM(k, sorted, sorted_room, (size_t)n + 1);

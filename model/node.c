@@ -286,7 +286,7 @@ vs_node *vs_node_retain(vs_node *n) {
 }
 
 void vs_node_release(vs_node *n) {
-  if (!n || --n->refs) return;
+  if (!n || --n->refs || n->store->abandoned) return;
   vs_node *dead = n;
   n->hash = 0; /* From here on, the member `hash` is the link in the list of nodes to be freed. */
   while (dead) {

@@ -50,6 +50,12 @@ double vs_session_clock(void *session) {
   return vs_clock();
 }
 
+/* Returns true. If the host ends the process after an interrupt, leaves the model's memory to the system. */
+static bool interrupt(vs_session *s) {
+  if (s->options.ends_after_interrupt && s->bind.store) vs_store_abandon(s->bind.store);
+  return true;
+}
+
 bool vs_session_interrupted(void *session) {
   vs_session *s = session;
   const vs_host *h = &s->options.host;
@@ -62,8 +68,8 @@ bool vs_session_interrupted(void *session) {
       h->progress(h->context, &(vs_progress){ .phase = s->phase, .fraction = -1 });
     }
   }
-  if (h->poll && h->poll(h->context)) return true;
-  return atomic_exchange(&s->interrupted, false);
+  if (h->poll && h->poll(h->context)) return interrupt(s);
+  return atomic_exchange(&s->interrupted, false) && interrupt(s);
 }
 
 bool vs_session_going(void *session, const char *stage, double fraction) {

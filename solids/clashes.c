@@ -69,9 +69,11 @@ static bool find_pairs(search *s) {
       boxes[i].max[a] = (int32_t)ceil((to[a] + reach - low[a]) / step);
     }
   }
-  bool ok = boxes && vs_bvh_build(&k, &tree, boxes, n) && vs_bvh_pairs(&tree, 0, UINT32_MAX, note, s);
+  bool ok = boxes && vs_bvh_build(&k, &tree, boxes, n) && vs_bvh_pairs(&k, &tree, 0, UINT32_MAX, note, s);
   vs_bvh_free(&k, &tree);
   free(boxes);
+  if (!ok && why.status == VS_KERNEL_INTERRUPTED)
+    return vs_error_set(s->error, VS_ERROR_INTERRUPT, NULL, "interrupted");
   if (!ok) return vs_error_memory(s->error, NULL);
   if (s->pair_count) qsort(s->pairs, s->pair_count, sizeof *s->pairs, by_numbers);
   return true;

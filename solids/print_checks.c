@@ -169,10 +169,11 @@ static bool find_opposite(check *c) {
     }
   }
   begin_groups(c);
-  bool ok = boxes && vs_bvh_build(&k, &tree, boxes, n) && vs_bvh_pairs(&tree, 0, UINT32_MAX, examine, c);
+  bool ok = boxes && vs_bvh_build(&k, &tree, boxes, n) && vs_bvh_pairs(&k, &tree, 0, UINT32_MAX, examine, c);
   vs_bvh_free(&k, &tree);
   free(boxes);
-  if (c->interrupted) return vs_error_set(c->error, VS_ERROR_INTERRUPT, NULL, "interrupted");
+  if (c->interrupted || why.status == VS_KERNEL_INTERRUPTED)
+    return vs_error_set(c->error, VS_ERROR_INTERRUPT, NULL, "interrupted");
   return ok ? end_groups(c, false) : vs_error_memory(c->error, NULL);
 }
 

@@ -44,6 +44,12 @@ typedef struct {
 
 static bool memory(measuring *m) { return vs_error_memory(m->error, NULL); }
 
+/* Sets the error after a failure of the kernel's functions: an interrupt, or out of memory. Returns false. */
+static bool kernel_failed(measuring *m) {
+  if (m->k.error->status != VS_KERNEL_INTERRUPTED) return memory(m);
+  return vs_error_set(m->error, VS_ERROR_INTERRUPT, NULL, "interrupted");
+}
+
 static void add(measuring *m, double volume, double area, vs_vec3 centroid, double sign) {
   m->volume += sign * volume;
   m->area += area; /* the area of a cavity's wall is added, although the cavity's volume is subtracted */
@@ -180,7 +186,8 @@ static bool cluster(measuring *m, uint32_t *set) {
       if (boxes[i].max[a] < boxes[i].min[a]) boxes[i].max[a] = boxes[i].min[a];
     }
   }
-  bool ok = (boxes && vs_bvh_build(&m->k, &bvh, boxes, n) && vs_bvh_pairs(&bvh, 0, UINT32_MAX, join, set)) || memory(m);
+  bool ok = (boxes && vs_bvh_build(&m->k, &bvh, boxes, n) && vs_bvh_pairs(&m->k, &bvh, 0, UINT32_MAX, join, set)) ||
+            kernel_failed(m);
   for (uint32_t i = 0; ok && i < n; i++) set[i] = vs_find(set, i);
   vs_bvh_free(&m->k, &bvh);
   free(boxes);

@@ -563,8 +563,9 @@ static void take_failure(const builder *b) {
                "%s", why->message);
 }
 
-static void builder_free(builder *b) {
-  for (size_t i = 0; i < b->meshes.count; i++) {
+/* Frees the builder. of: store of the nodes, or NULL. An abandoned store's meshes, often a million, stay allocated. */
+static void builder_free(builder *b, const vs_store *of) {
+  for (size_t i = 0; i < b->meshes.count && !vs_store_is_abandoned(of); i++) {
     if (b->meshes.at[i].held) vs_cache_let_go(b->cache, b->meshes.at[i].held);
     else vs_mesh_free(b->meshes.at[i].mesh);
     free(b->meshes.at[i].mesh);
@@ -624,7 +625,7 @@ static bool evaluate(const vs_ref *refs, size_t count, const vs_fineness *facets
   }
   tally_up(tally, &counts);
   if (count) vs_solid_tally_steps(refs[0].node->store, &counts);
-  builder_free(b);
+  builder_free(b, count ? refs[0].node->store : NULL);
   vs_tally_enter(tally, was);
   return ok;
 }

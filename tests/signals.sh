@@ -47,3 +47,13 @@ for signal in TERM HUP; do
   judge "$signal while POV-Ray runs" $?
   if await gone; then echo "ok signals:POV-Ray is gone after $signal"; else echo "not ok signals:POV-Ray outlives $signal"; kill "$child"; fi
 done
+
+# A batch frees no memory after an interrupt, and every phase polls: drawings of a million nodes, by processor time.
+if ! command -v python3 > /dev/null; then echo "skip signals:millions: no python3"
+elif [ -z "${LONG:-}" ]; then
+  python3 tests/interrupted.py "$BUILD/vs" 20000 1 > "$work/messages" 2>&1 && : > "$work/messages"
+  result "signals:thousands of nodes" "$work/messages"
+else
+  python3 tests/interrupted.py "$BUILD/vs" 1000000 3 > "$work/messages" 2>&1 && : > "$work/messages"
+  result "signals:millions of nodes" "$work/messages"
+fi

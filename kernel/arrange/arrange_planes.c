@@ -348,7 +348,7 @@ static bool crossings(plane_work *w, uint32_t tried) {
     if (!VS_ROOM(w->k, w->families.at, w->families.room, n)) return false;
     for (uint32_t i = 0; i < n; i++) w->families.at[i] = i < tried ? 0 : UINT32_MAX;
     w->bvh.families = tried ? w->families.at : NULL;
-    return vs_bvh_build(w->k, &w->bvh, w->boxes.at, n) && vs_bvh_pairs(&w->bvh, 0, UINT32_MAX, cross, w);
+    return vs_bvh_build(w->k, &w->bvh, w->boxes.at, n) && vs_bvh_pairs(w->k, &w->bvh, 0, UINT32_MAX, cross, w);
   }
   for (uint32_t i = 0; i < n; i++)
     for (uint32_t j = i < tried ? tried : i + 1; j < n; j++)

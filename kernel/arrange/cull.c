@@ -87,7 +87,7 @@ bool vs_cull_prepare(vs_kernel *k, vs_cluster *c, const vs_affine *to_frame) {
   }
   if (!vs_bvh_build(k, &c->leaf_bvh, c->leaf_boxes.at, n)) return false;
   if (!any) return true;
-  bool ok = vs_bvh_pairs(&c->leaf_bvh, 0, UINT32_MAX, note, &f);
+  bool ok = vs_bvh_pairs(k, &c->leaf_bvh, 0, UINT32_MAX, note, &f);
   for (size_t i = 0; ok && i < f.pairs.count; i += 2) c->placed.at[f.pairs.at[i]].lids_count++;
   size_t sum = 0;
   for (uint32_t i = 0; ok && i < n; i++) {

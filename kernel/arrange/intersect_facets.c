@@ -268,7 +268,7 @@ static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
   m->c = all->c;
   m->w = &all->works[k->worker];
   m->contacts.count = m->fresh.count = 0;
-  return vs_bvh_pairs(&all->bvh, (uint32_t)index * CHUNK, (uint32_t)(index + 1) * CHUNK, meet, m) &&
+  return vs_bvh_pairs(k, &all->bvh, (uint32_t)index * CHUNK, (uint32_t)(index + 1) * CHUNK, meet, m) &&
       vs_kernel_report(k, k->part);
 }
 

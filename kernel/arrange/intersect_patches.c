@@ -521,7 +521,7 @@ static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
   /* Clears the thread's cache of crossings, so that the results of a chunk depend only on the chunk. */
   memset(m->w->crossings.at, 0xff, crossings * sizeof *m->w->crossings.at);
   m->w->crossings.count = crossings;
-  return vs_bvh_pairs(&all->c->bvh, first, first + CHUNK, meet, m) && vs_kernel_report(k, 0.1);
+  return vs_bvh_pairs(k, &all->c->bvh, first, first + CHUNK, meet, m) && vs_kernel_report(k, 0.1);
 }
 
 bool vs_meet_patches(vs_kernel *k, vs_cluster *c) {

@@ -231,7 +231,7 @@ enum { CHUNK = 256 }; /* The pairs are searched in blocks of the tree of boxes. 
 
 static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
   searcher s = { context, k };
-  return vs_bvh_pairs(&s.p->bvh, (uint32_t)index * CHUNK, (uint32_t)(index + 1) * CHUNK, meet_blocks, &s);
+  return vs_bvh_pairs(k, &s.p->bvh, (uint32_t)index * CHUNK, (uint32_t)(index + 1) * CHUNK, meet_blocks, &s);
 }
 
 static bool meet_within(vs_kernel *k, void *context, size_t index) { /* in each block of a range of triangles, tests the

@@ -262,7 +262,7 @@ static bool next(descent *d, uint32_t *block, uint32_t *met) {
 
 uint32_t vs_bvh_blocks(const vs_bvh *t) { return t->level_count ? t->size[0] : 0; }
 
-bool vs_bvh_pairs(const vs_bvh *t, uint32_t first, uint32_t end, vs_bvh_pair_fn *fn, void *context) {
+bool vs_bvh_pairs(vs_kernel *k, const vs_bvh *t, uint32_t first, uint32_t end, vs_bvh_pair_fn *fn, void *context) {
   enum { GROUP = 4 }; /* number of neighbouring blocks for which one traversal of the tree finds the pairs */
   uint32_t blocks = vs_bvh_blocks(t), block, met;
   if (end > blocks) end = blocks;
@@ -281,7 +281,8 @@ bool vs_bvh_pairs(const vs_bvh *t, uint32_t first, uint32_t end, vs_bvh_pair_fn 
       if (family_below(t, 0, a) != family) family = -1;
     descent d;
     begin(&d, t, &all, from, family);
-    while (next(&d, &block, &met))
+    while (next(&d, &block, &met)) {
+      if (!vs_kernel_poll(k, k->part)) return false;
       for (uint32_t left = met; left;) {
         uint32_t j = next_bit(&left);
         vs_bvh_box box = box_of(&t->packs[block], j);
@@ -295,6 +296,7 @@ bool vs_bvh_pairs(const vs_bvh *t, uint32_t first, uint32_t end, vs_bvh_pair_fn 
             if (!fn(context, t->order[a * BLOCK + next_bit(&set)], t->order[block * BLOCK + j])) return false;
         }
       }
+    }
   }
   return true;
 }

@@ -75,8 +75,9 @@ typedef bool vs_bvh_hit_fn(void *context, uint32_t a);
 bool vs_bvh_build(vs_kernel *k, vs_bvh *tree, const vs_bvh_box *boxes, uint32_t count);
 uint32_t vs_bvh_blocks(const vs_bvh *tree);
 /* Calls fn once for each unordered pair of intersecting boxes whose first box lies in a block from `first` to end - 1.
- * Ranges that cover all blocks find every pair. end may exceed the number of blocks. */
-bool vs_bvh_pairs(const vs_bvh *tree, uint32_t first, uint32_t end, vs_bvh_pair_fn *fn, void *context);
+ * Ranges that cover all blocks find every pair. end may exceed the number of blocks. Returns false if fn does, or if
+ * the caller of k interrupts: crowded boxes have a quadratic number of pairs. */
+bool vs_bvh_pairs(vs_kernel *k, const vs_bvh *tree, uint32_t first, uint32_t end, vs_bvh_pair_fn *fn, void *context);
 bool vs_bvh_query(const vs_bvh *tree, const vs_bvh_box *box, vs_bvh_hit_fn *fn, void *context);
 void vs_bvh_free(vs_kernel *k, vs_bvh *tree);
 

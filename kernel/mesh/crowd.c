@@ -41,7 +41,7 @@ bool vs_mesh_pairs(const vs_mesh *m, size_t most, const vs_kernel_options *optio
   }
   count c = { &k, 0, most };
   ok = ok && vs_bvh_build(&k, &bvh, boxes.at, (uint32_t)m->triangle_count) &&
-       (vs_bvh_pairs(&bvh, 0, UINT32_MAX, count_pair, &c) || c.pairs >= most);
+       (vs_bvh_pairs(&k, &bvh, 0, UINT32_MAX, count_pair, &c) || c.pairs >= most);
   *pairs = c.pairs;
   vs_bvh_free(&k, &bvh);
   VS_DROP(&k, boxes);

@@ -182,7 +182,7 @@ static bool look_some(vs_kernel *k, void *context, size_t index) {
   search *s = context;
   looking l = { k, s->m, false, 0 };
   if (atomic_load(&s->met)) return true;
-  if (!vs_bvh_pairs(&s->bvh, (uint32_t)index * BLOCKS, ((uint32_t)index + 1) * BLOCKS, look, &l) && !l.met)
+  if (!vs_bvh_pairs(k, &s->bvh, (uint32_t)index * BLOCKS, ((uint32_t)index + 1) * BLOCKS, look, &l) && !l.met)
     return false;
   if (l.met) atomic_store(&s->met, true);
   atomic_fetch_add(&s->edges, l.edges);

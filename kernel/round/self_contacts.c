@@ -679,7 +679,7 @@ static bool look(vs_kernel *k, void *context, size_t index) {
   size_t open = open_tasks(c), begin = (index - open) * QUERIES, end = begin + QUERIES;
   c->met[l.at].at.count = c->met[l.at].folds.count = 0;
   if (index < open)
-    return vs_bvh_pairs(&c->bvh, (uint32_t)index * BLOCKS, ((uint32_t)index + 1) * BLOCKS, look_open, &l) &&
+    return vs_bvh_pairs(k, &c->bvh, (uint32_t)index * BLOCKS, ((uint32_t)index + 1) * BLOCKS, look_open, &l) &&
            vs_kernel_report(k, 1);
   for (size_t i = begin; i < level->at.count && i < end; i++) {
     l.level = &level->at.at[i];

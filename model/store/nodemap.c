@@ -54,7 +54,7 @@ uint64_t *vs_nodemap_put_held(vs_nodemap *m, vs_node *key, bool *found) {
 }
 
 void vs_nodemap_free_held(vs_nodemap *m) {
-  for (size_t i = 0; i < m->room; i++)
+  for (size_t i = 0; i < m->room && !vs_store_is_abandoned(m->store); i++)
     if (m->slots[i].key) vs_node_release((vs_node *)(uintptr_t)m->slots[i].key);
   vs_nodemap_free(m);
 }

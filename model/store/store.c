@@ -80,6 +80,9 @@ bool vs_store_going(vs_store *s, uint32_t work, vs_error *e) {
   return vs_error_set(e, VS_ERROR_INTERRUPT, NULL, "interrupted");
 }
 
+void vs_store_abandon(vs_store *s) { s->abandoned = true; }
+bool vs_store_is_abandoned(const vs_store *s) { return s && s->abandoned; }
+
 size_t vs_store_bytes(const vs_store *s) { return s->bytes; }
 
 void vs_store_fail_at(vs_store *s, size_t n) {

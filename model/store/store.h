@@ -31,6 +31,10 @@ void *vs_store_realloc(vs_store *s, void *old, size_t old_size, size_t new_size)
 /* Makes room for `need` elements of `size` bytes (above 0) in the array whose address is in *slot. *room: number of
  * elements for which the array has memory. Returns false when memory is out, and then changes nothing. */
 bool vs_store_grow(vs_store *s, void *slot, size_t *room, size_t need, size_t size);
+/* Ends the freeing of nodes: from now on releasing a node frees nothing. For a process that ends soon, whose memory the
+ * system frees faster than this code does. */
+void vs_store_abandon(vs_store *s);
+bool vs_store_is_abandoned(const vs_store *s); /* Returns true after vs_store_abandon. s may be NULL. */
 /* For tests: makes the n-th allocation from now on fail, and all later ones. If n is 0, no allocation fails. */
 void vs_store_fail_at(vs_store *s, size_t n);
 /* Returns the address of a pointer, NULL at first, in which geometry/ keeps data that is slow to make (fonts). When the

@@ -24,6 +24,7 @@ struct vs_store {
   size_t fail_at; /* for tests: how many allocations until the first that fails, which is included; 0 if none is to
                    * fail, or after the failure */
   bool failing;
+  bool abandoned; /* true: the process is about to end, and frees no node (vs_store_abandon) */
   vs_intern texts, origins, materials;
   const vs_picture *pictures; /* list of the store's pictures, which are few */
   void *kept;           /* data that geometry/ keeps until the store is freed (fonts); let_go frees it */

@@ -353,6 +353,40 @@ static bool count_pair(void *context, uint32_t a, uint32_t b) {
   return true;
 }
 
+static bool count_all(void *context, uint32_t a, uint32_t b) {
+  (void)a, (void)b;
+  (*(size_t *)context)++;
+  return true;
+}
+static bool ask_twice(void *context, const char *stage, double fraction) {
+  (void)stage, (void)fraction;
+  return ++*(int *)context < 2;
+}
+
+/* Tests that a search for the pairs of 20,000 boxes, all of which overlap, ends at an interrupt, long before the two
+ * hundred million pairs are found. */
+static void test_interrupted_pairs(void **state) {
+  (void)state;
+  enum { BOXES = 20000, FEW = 1000000 };
+  int asked = 0;
+  vs_job job = { .going = ask_twice, .context = &asked };
+  vs_kernel_options options = { .threads = 1, .job = &job };
+  vs_kernel_error e = { 0 };
+  vs_kernel k = { .options = &options, .error = &e, .threads = 1, .share = 1 };
+  vs_bvh_box *boxes = malloc(BOXES * sizeof *boxes);
+  assert_non_null(boxes);
+  for (int32_t i = 0; i < BOXES; i++) boxes[i] = (vs_bvh_box){ { -i, -i, -i }, { i, i, i } };
+  vs_bvh tree = { 0 };
+  size_t pairs = 0;
+  assert_true(vs_bvh_build(&k, &tree, boxes, BOXES));
+  asked = 0;
+  assert_false(vs_bvh_pairs(&k, &tree, 0, UINT32_MAX, count_all, &pairs));
+  assert_int_equal(e.status, VS_KERNEL_INTERRUPTED);
+  assert_true(pairs < FEW);
+  vs_bvh_free(&k, &tree);
+  free(boxes);
+}
+
 /* Tests 200,000 overlapping boxes of one family (boxes that need not be tested against each other), and a few boxes of
  * no family. The search reports only pairs that include a box of no family. It does not even visit the pairs within the
  * family. */
@@ -379,7 +413,7 @@ static void test_families(void **state) {
   met m = { 0, 0 };
   clock_t begin = clock();
   assert_true(vs_bvh_build(&k, &tree, boxes, OF_ONE + ALONE));
-  assert_true(vs_bvh_pairs(&tree, 0, UINT32_MAX, count_pair, &m));
+  assert_true(vs_bvh_pairs(&k, &tree, 0, UINT32_MAX, count_pair, &m));
   double seconds = (double)(clock() - begin) / CLOCKS_PER_SEC;
   assert_int_equal(m.family, OF_ONE * ALONE);
   assert_int_equal(m.alone, ALONE * (ALONE - 1) / 2);
@@ -430,6 +464,7 @@ static void test_many_meshes(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = { cmocka_unit_test(test_levels), cmocka_unit_test(test_crowd_is_found),
       cmocka_unit_test(test_hubs), cmocka_unit_test(test_hubs_in_hubs), cmocka_unit_test(test_meshes_with_hubs),
-      cmocka_unit_test(test_combined_with_hubs), cmocka_unit_test(test_families), cmocka_unit_test(test_many_meshes) };
+      cmocka_unit_test(test_combined_with_hubs), cmocka_unit_test(test_families), cmocka_unit_test(test_interrupted_pairs),
+      cmocka_unit_test(test_many_meshes) };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -13,6 +13,8 @@
 
 #include <cmocka.h>
 
+#include "model/store/store.h"
+#include "session/session.h"
 #include "visualscheme.h"
 #include "vm/values/debug.h"
 
@@ -296,8 +298,26 @@ static void test_outputs(void **state) {
   vs_free(s);
 }
 
+/* An interrupted call leaves the model's memory to the system only if the host ends its process then, and never at
+ * a limit. */
+static void test_ends_after_interrupt(void **state) {
+  (void)state;
+  for (int ends = 0; ends < 2; ends++) {
+    watch w;
+    vs_scheme *s = open_with(&w, (vs_options){ .ends_after_interrupt = ends, .limit_steps = 1000000 });
+    const vs_store *store = vs_session_of(s)->bind.store;
+    assert_int_equal(eval(s, &w, "(draw (unite (for/list ([i 20000]) (make-sphere (xyz i 0 0) 1))))"), VS_OUTCOME_DONE);
+    assert_int_equal(eval(s, &w, "(let loop () (loop))"), VS_OUTCOME_MACHINE);
+    assert_false(vs_store_is_abandoned(store));
+    w.ask_at = now(), w.asked = 0;
+    assert_int_equal(vs_write_drawing_to(s, "tree", NULL, swallow, NULL), VS_OUTCOME_INTERRUPTED);
+    assert_int_equal(vs_store_is_abandoned(store), ends);
+    vs_free(s);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = { cmocka_unit_test(test_interrupts), cmocka_unit_test(test_time), cmocka_unit_test(test_steps_and_output), cmocka_unit_test(test_memory),
-                                      cmocka_unit_test(test_outputs) };
+                                      cmocka_unit_test(test_outputs), cmocka_unit_test(test_ends_after_interrupt) };
   return cmocka_run_group_tests_name("limits", tests, NULL, NULL);
 }
