@@ -116,13 +116,16 @@
 ; ---- parts and their numbers ----
 
 ; Returns the parts in a list of objects, or of lists of objects. An object of the list, such as a slice with its number,
-; is one part. A layer or a material in place of a list has its objects as parts.
+; is one part; but a layer or a material of solids has its solids as parts, as in schedule. In place of a list, a layer or
+; a material has its objects as parts, of any kind.
 (define (%flat-parts who parts)
   (define (refuse) (error who "parts must be a list of objects, got ~s" parts))
-  (define (part o) (cond ((not (object? o)) (refuse)) ((empty-object? o) '()) (else (list o))))
+  (define (look? o) (memq (object-kind o) '(layer with-material)))
+  (define (part o)
+    (cond ((not (object? o)) (refuse)) ((empty-object? o) '()) ((and (look? o) (solid? o)) (%schedule-objects o)) (else (list o))))
   (cond
     ((list? parts) (append-map (lambda (p) (if (list? p) (append-map part p) (part p))) parts))
-    ((and (object? parts) (memq (object-kind parts) '(layer with-material))) (%schedule-objects parts))
+    ((and (object? parts) (look? parts)) (%schedule-objects parts))
     (else (part parts))))
 
 ; Returns a list of lists: the parts that are equal, up to place and turn, in the order of their first parts.

@@ -75,3 +75,10 @@
 (displayln (refusal (lambda () (label-contours (list (list (make-line (xy 0 0) (xy 8 0)))) 1e-300)))) ; expect: label-contours: size 1e-300 is too small for a curve 8.0 long
 ; the balls of a frame: moved copies need no search for turns
 (displayln (map length (part-groups (for/list ([i 120]) (make-sphere (xyz i (* 1/3 i i) 0) (if (< (modulo i 3) 2) 0.08 0.09)))))) ; expect: (80 40)
+
+; a layer or a material in a list has its solids as parts, as schedule counts them; a slice stays one part
+(define (post i) (make-box (xyz (* 4 i) 0 0) (xyz (+ 1 (* 4 i)) 1 9)))
+(define frame-parts (list (layer "posts" (post 0) (post 1) (post 2)) (with-material wood (layer "rails" (list (post 3) (make-box (xyz 0 5 0) (xyz 9 6 2)))))))
+(displayln (cut-list frame-parts 'mark 'count 'layer)) ; expect: ((mark count layer) (A 4 posts) (B 1 rails))
+(displayln (map cadr (cdr (schedule frame-parts 'layer 'count)))) ; expect: (3 2)
+(displayln (length (part-groups (slices (make-cylinder origin (xyz 0 0 4) 5) 1)))) ; expect: 1
