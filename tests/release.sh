@@ -4,6 +4,7 @@
 . tests/report.sh
 wanted release || exit 0
 if ! [ -e .git ] || ! [ -d node_modules/esbuild ]; then echo "skip release: no clone with npm's packages"; exit; fi
+command -v git > /dev/null || { echo "skip release: no git, with which make dist reads the clone (package git)"; exit; }
 version=$(sed -n 's/^.define VS_VERSION "\(.*\)"/\1/p' visualscheme.h) name=visualscheme-$version
 : > "$work/why"
 for time in first second; do

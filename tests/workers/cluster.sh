@@ -8,6 +8,8 @@ PATH=$PATH:/usr/sbin:/sbin
 for program in slurmctld slurmd sbatch munged; do
   command -v $program > /dev/null || { echo "skip cluster: no $program (packages slurmctld, slurmd, slurm-client, munge)"; exit 0; }
 done
+# slurmd does not start without control groups, which a container may lack.
+grep -q ' cgroup2\? ' /proc/mounts || { echo "skip cluster: no control groups here (/sys/fs/cgroup)"; exit 0; }
 cd "$work" || exit 1
 host=$(hostname -s) net=10.213.$(($$ % 250)) bridge=vsb$(($$ % 100000)) spaces=
 mkdir -m 700 munge && mkdir run state spool tmp hidden && chmod 755 "$work"
