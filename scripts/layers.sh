@@ -94,7 +94,7 @@ done >> "$work/wrong"
 xargs awk 'FNR == 1 && !/^\/\*/ { print FILENAME ": begins without a comment that says what the file contains" }' < "$work/sources" >> "$work/wrong"
 
 # ---- ours: LICENSE holds for every file, so none has another's copyright line; NOTICE names what comes from elsewhere ----
-find . \( -name node_modules -o -name .git -o -path "./${build#./}" -o -path ./build -o -path ./scripts -o -path ./manual -o -path ./debian \) -prune -o -type f -print |
+find . \( -name node_modules -o -name .git -o -path "./${build#./}" -o -path ./build -o -path ./out -o -path ./scripts -o -path ./manual -o -path ./debian \) -prune -o -type f -print |
   sed 's/^\.\///' | grep -vxE 'LICENSE|NOTICE' | xargs -d '\n' grep -IlE '[Cc]opyright +(\([Cc]\)|©|[0-9]{4}|by )|\([Cc]\) *[12][0-9]{3} |[Aa]ll [Rr]ights [Rr]eserved|SPDX-' |
   sed 's/$/: has a copyright line; code of others lives in packages, and NOTICE names what is embedded/' >> "$work/wrong"
 
