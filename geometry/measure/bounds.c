@@ -187,8 +187,10 @@ static bool bounds_add_offset(vs_bounds *b, const vs_affine *a, const vs_node *n
   return true;
 }
 
+/* A spline with a given number of segments is drawn as a polyline; its samples are exact. */
 static bool bounds_add_spline(vs_bounds *b, const vs_affine *a, const vs_node *n, vs_error *e) {
   vs_bounds knots = vs_bounds_empty();
+  if (VS_AS(spline, n)->segments <= 0) return vs_spline_bounds(VS_AS(spline, n), a, b) || vs_error_memory(e, NULL);
   const vs_affine here = vs_affine_identity();
   vs_reach_points(&knots, &here, VS_AS(spline, n)->points->at, VS_AS(spline, n)->points->count);
   return bounds_add_samples(b, &curve_sampling, n, a, &knots, e);

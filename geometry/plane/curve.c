@@ -204,24 +204,38 @@ static bool spline_turn(const vs_spline_work *w, size_t i, double from, double t
 
 static double spline_angle(vs_vec3 a, vs_vec3 b) { return atan2(vs_v3_length(vs_v3_cross(a, b)), vs_v3_dot(a, b)); }
 
-static bool curve_spline(vs_path *out, const struct vs_spline *s, const vs_fineness *f) {
+/* Returns true if the spline has too few different knots for a curve: a line joins them. */
+static bool spline_is_line(const vs_spline_work *w) { return w->n < 2 || (w->closed && w->n < 3); }
+
+/* Copies the knots of s without repetitions into w, and solves for the second derivatives if the knots are enough for a
+ * spline (spline_is_line). Returns false when memory is out. The caller calls spline_end in either case. */
+static bool spline_begin(vs_spline_work *w, const struct vs_spline *s) {
   size_t given = s->points->count;
-  vs_spline_work w = { .closed = s->closed };
-  w.p = vs_fresh(given + 1, sizeof *w.p);
-  w.m = vs_fresh(given + 1, sizeof *w.m);
-  w.h = vs_fresh(given + 1, sizeof *w.h);
-  w.scratch = vs_fresh((given + 1) * 7, sizeof *w.scratch);
-  bool ok = w.p && w.m && w.h && w.scratch;
-  for (size_t i = 0; ok && i < given; i++)
-    if (!w.n || !vs_v3_equal(w.p[w.n - 1], s->points->at[i])) w.p[w.n++] = s->points->at[i];
-  while (w.closed && w.n > 1 && vs_v3_equal(w.p[0], w.p[w.n - 1])) w.n--;
-  if (ok && (w.n < 2 || (w.closed && w.n < 3))) {
+  *w = (vs_spline_work){ .closed = s->closed };
+  w->p = vs_fresh(given + 1, sizeof *w->p);
+  w->m = vs_fresh(given + 1, sizeof *w->m);
+  w->h = vs_fresh(given + 1, sizeof *w->h);
+  w->scratch = vs_fresh((given + 1) * 7, sizeof *w->scratch);
+  if (!w->p || !w->m || !w->h || !w->scratch) return false;
+  for (size_t i = 0; i < given; i++)
+    if (!w->n || !vs_v3_equal(w->p[w->n - 1], s->points->at[i])) w->p[w->n++] = s->points->at[i];
+  while (w->closed && w->n > 1 && vs_v3_equal(w->p[0], w->p[w->n - 1])) w->n--;
+  if (spline_is_line(w)) return true;
+  for (size_t i = 0; i < w->n; i++) w->h[i] = vs_v3_length(vs_v3_sub(w->p[(i + 1) % w->n], w->p[i]));
+  spline_solve(w, s->start_tangent, s->end_tangent);
+  return true;
+}
+
+static void spline_end(vs_spline_work *w) { free(w->p), free(w->m), free(w->h), free(w->scratch); }
+
+static bool curve_spline(vs_path *out, const struct vs_spline *s, const vs_fineness *f) {
+  vs_spline_work w;
+  bool ok = spline_begin(&w, s);
+  if (ok && spline_is_line(&w)) {
     ok = curve_line(out, w.p, w.n, false);
     goto done;
   }
   if (!ok) goto done;
-  for (size_t i = 0; i < w.n; i++) w.h[i] = vs_v3_length(vs_v3_sub(w.p[(i + 1) % w.n], w.p[i]));
-  spline_solve(&w, s->start_tangent, s->end_tangent);
   int segments = s->segments ? s->segments : f->segments;
   double turn = segments > 0 ? segments : vs_fineness_least(f);
   size_t spans = w.closed ? w.n : w.n - 1;
@@ -248,10 +262,34 @@ static bool curve_spline(vs_path *out, const struct vs_spline *s, const vs_finen
   }
   out->closed = w.closed;
 done:
-  free(w.p);
-  free(w.m);
-  free(w.h);
-  free(w.scratch);
+  spline_end(&w);
+  return ok;
+}
+
+/* Enlarges b by the points of span i, mapped by a, at which a mapped coordinate is largest or smallest. Each coordinate
+ * is a cubic polynomial of the parameter; its derivative is u t^2 + v t + w. */
+static void spline_reach(const vs_spline_work *s, size_t i, const vs_affine *a, vs_bounds *b) {
+  size_t j = i + 1 < s->n ? i + 1 : 0;
+  vs_vec3 chord = vs_v3_sub(s->p[j], s->p[i]), m = vs_v3_scale(s->m[i], s->h[i] * s->h[i] / 6),
+          k = vs_v3_scale(s->m[j], s->h[i] * s->h[i] / 6);
+  for (int axis = 0; axis < 3; axis++) {
+    vs_vec3 row = vs_v3(a->m[axis][0], a->m[axis][1], a->m[axis][2]);
+    double from = vs_v3_dot(row, m), to = vs_v3_dot(row, k);
+    double u = 3 * (to - from), v = 6 * from, w = vs_v3_dot(row, chord) - 2 * from - to, root = v * v - 4 * u * w;
+    if (!(root >= 0)) continue;
+    double half = -(v + copysign(sqrt(root), v)) / 2, at[2] = { half / u, w / half };
+    for (int n = 0; n < 2; n++)
+      if (at[n] > 0 && at[n] < 1) vs_bounds_add(b, vs_affine_point(a, spline_at(s, i, at[n]).at));
+  }
+}
+
+bool vs_spline_bounds(const struct vs_spline *s, const vs_affine *map, vs_bounds *b) {
+  vs_spline_work w;
+  bool ok = spline_begin(&w, s);
+  for (size_t i = 0; ok && i < w.n; i++) vs_bounds_add(b, vs_affine_point(map, w.p[i]));
+  size_t spans = !ok || spline_is_line(&w) ? 0 : w.closed ? w.n : w.n - 1;
+  for (size_t i = 0; i < spans; i++) spline_reach(&w, i, map, b);
+  spline_end(&w);
   return ok;
 }
 

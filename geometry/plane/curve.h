@@ -23,6 +23,8 @@ void vs_path_measure(vs_path *p); /* sets the member `along` of each sample, and
 /* Samples a line, arc, circle or spline, and appends the samples, mapped by `map`, to out. Returns false when memory is
  * out. */
 bool vs_curve_leaf(const vs_node *curve, const vs_affine *map, const vs_fineness *f, vs_path *out);
+/* Enlarges b by the exact bounds of the spline s, mapped by `map`. Returns false when memory is out. */
+bool vs_spline_bounds(const struct vs_spline *s, const vs_affine *map, vs_bounds *b);
 /* Samples the arc a, or its whole circle if `circle` is true, mapped by `map`. Returns false when memory is out. */
 bool vs_curve_round(const struct vs_arc *a, bool circle, const vs_affine *map, const vs_fineness *f, vs_path *out);
 bool vs_path_of_polyline(const vs_polyline *p, vs_path *out); /* makes a path of a polyline; out must be empty; returns
