@@ -10,7 +10,8 @@
 
 #include "model/assert.h"
 
-/* Structures of these two differ from version to version, so the file has the version of the header. */
+/* The structures of CHOLMOD and libjpeg differ from version to version. Therefore only the library file whose version
+ * matches the compiled header is loaded. */
 #define TEXT_OF(x) #x
 #define FILE_OF(version) "libcholmod.so." TEXT_OF(version), "libcholmod." TEXT_OF(version) ".dylib", "libcholmod.dll"
 #define CHOLMOD_FILE FILE_OF(CHOLMOD_MAIN_VERSION)
@@ -52,6 +53,6 @@ bool vs_dynamic_load(vs_library library, const char *purpose, const vs_dynamic_n
       ok = vs_error_set(e, VS_ERROR_WORKER, NULL, "%s: the library %s is too old: it has no %s", purpose, r->files[0],
                         names[i].symbol);
   }
-  dlclose(handle); /* closes only the handle: because of RTLD_NODELETE, the library stays loaded */
+  dlclose(handle); /* closes only the handle; the library stays loaded, because it was opened with RTLD_NODELETE */
   return ok;
 }

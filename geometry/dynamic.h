@@ -10,7 +10,7 @@
 
 #include "model/node.h"
 
-/* the libraries of used_libraries.def that are loaded at their first use */
+/* The libraries that are loaded at their first use; used_libraries.def lists them. */
 typedef enum {
 #define LOADED(id, ...) VS_LIBRARY_##id,
 #include "geometry/used_libraries.def"
@@ -29,9 +29,8 @@ typedef struct {
 #define VS_DYNAMIC_MEMBER(member, symbol, result, parameters) result (*member) parameters;
 #define VS_DYNAMIC_ROW(member, symbol, result, parameters) { #symbol, offsetof(dynamic_functions, member) },
 
-/* Loads the library. Sets the `count` pointers in the caller's struct that the table `names` describes. The library
- * stays loaded. purpose: the feature that needs it, such as "offsets", the subject of error messages. Returns false if
- * the library or a function is missing; e is then VS_ERROR_WORKER with the package's name. */
+/* Loads the library, and sets the `count` function pointers that `names` describes. purpose: the feature that needs the
+ * library, such as "offsets", for error messages. Returns false if the library or a function is missing. */
 bool vs_dynamic_load(vs_library library, const char *purpose, const vs_dynamic_name *names, size_t count,
                      void *functions, vs_error *e);
 

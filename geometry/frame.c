@@ -39,9 +39,8 @@ vs_affine vs_frame_turn(vs_vec3 a, vs_vec3 b) {
                         { v.x * v.z * k - v.y, v.y * v.z * k + v.x, c + v.z * v.z * k, 0 } } };
 }
 
-/* Returns the vector x moved from point p with tangent t to point q with tangent u, by double reflection. First it is
- * reflected in the bisecting plane of p and q. Then it is reflected in the plane that maps the reflected t to u. If p
- * and q differ only by rounding, x turns with t. */
+/* Moves the vector x from point p with tangent t to point q with tangent u, and returns it: reflects it in the
+ * bisecting plane of p and q, then in the plane that maps the reflected t to u. */
 static vs_vec3 frame_reflect_twice(vs_vec3 p, vs_vec3 t, vs_vec3 q, vs_vec3 u, vs_vec3 x) {
   vs_vec3 v = vs_v3_sub(q, p);
   double c = vs_v3_dot(v, v), large = fmax(vs_v3_dot(p, p), vs_v3_dot(q, q));

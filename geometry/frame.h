@@ -14,15 +14,12 @@ vs_affine vs_frame_on_axis(vs_vec3 at, vs_vec3 direction);
  * half a turn about an axis perpendicular to a. */
 vs_affine vs_frame_turn(vs_vec3 a, vs_vec3 b);
 
-/* A sample of a path. at: the point; arriving, leaving: unit tangents before and after it, which differ at a corner.
- * vs_frame_transport computes rotation-minimizing frames along a path (double reflection; Wang, Juettler, Zheng, Liu
- * 2008). At a corner, the frame turns by the smallest rotation. */
+/* A sample of a path. at: the point; arriving, leaving: unit tangents before and after it, which differ at a corner. */
 typedef struct { vs_vec3 at, arriving, leaving; double along; /* along: arc length from the start of the path to this
                                                                * sample */ } vs_path_point;
-/* Moves the vector x along a path of n > 0 points. x is a unit vector perpendicular to path[0].leaving; x_out[i] is the
- * moved vector at point i. On a closed path, x would return turned by some angle; this turn is undone in proportion to
- * `along`. length: length of the path including its closing segment. Returns that angle in radians, or 0 for an open
- * path. */
+/* Moves the unit vector x along a path of n > 0 points with the least rotation (double reflection); x_out[i] is the
+ * moved vector at point i. On a closed path, x would return turned by some angle; this turn is distributed along the
+ * path. Returns that angle in radians; 0 for an open path. */
 double vs_frame_transport(const vs_path_point *path, size_t n, bool closed, double length, vs_vec3 x, vs_vec3 *x_out);
 
 /* Returns the unit vector of the normal or of its opposite, whichever points up. A horizontal vector points towards +Y,

@@ -27,9 +27,8 @@ bool vs_scan_poll(vs_byte_scan *s);
 bool vs_scan_line_end(vs_byte_scan *s);
 /* Moves to the beginning of the next line, or to the end of the text. */
 void vs_scan_next_line(vs_byte_scan *s);
-/* Reads the next word of the current line. If `lines` is true and the line has no more words, continues with later
- * lines. At the end of the line or text, sets word to "". Skips comments, which extend from the character `comment` to
- * the end of the line; 0: the format has no comments. */
+/* Reads the next word of the current line, or of a later line if `lines` is true. Sets word to "" if there is none.
+ * Skips comments, which extend from the character `comment` to the end of the line; 0: no comments. */
 void vs_scan_word(vs_byte_scan *s, bool lines, char comment, char word[VS_SCAN_WORD]);
 bool vs_scan_real(vs_byte_scan *s, bool lines, char comment, double *out);       /* reads a word as a number; returns
                                                                                   * false and sets the error if it is

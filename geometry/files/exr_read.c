@@ -141,9 +141,8 @@ static exr_result_t exr_unpack(exr_reader *r, const exr_decode_pipeline_t *d, ex
   return EXR_ERR_SUCCESS;
 }
 
-/* Decompresses a chunk. If zlib has no memory, the library reports a broken chunk. To distinguish the two faults, this
- * function tries to allocate more memory than zlib needs. If that fails, memory is out; otherwise it decompresses once
- * more. */
+/* Decompresses a chunk. The library also reports a broken chunk when zlib has no memory. Therefore this function then
+ * tries to allocate more memory than zlib needs: if that fails, memory is out; otherwise it decompresses once more. */
 static exr_result_t exr_run(exr_reader *r, exr_decode_pipeline_t *d) {
   enum { WORK = 1 << 16 }; /* size in bytes of a trial allocation; it exceeds the memory that zlib needs */
   exr_result_t result = r->call.run(r->c, 0, d);

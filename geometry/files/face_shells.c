@@ -8,7 +8,7 @@
 #include "model/store/array.h"
 #include "model/store/disjoint.h"
 
-/* A side of a face. low, high: points at its ends, the one with the lower index first. */
+/* A side of a face. low, high: indices of the points at its ends, the lower index first. */
 typedef struct { uint32_t low, high, face; } shell_side;
 
 static int compare_sides(const void *a, const void *b) {
@@ -18,7 +18,7 @@ static int compare_sides(const void *a, const void *b) {
   return s->face < t->face ? -1 : s->face > t->face;
 }
 
-/* Sets the sides of all faces. Sides from a point to itself are no edges. Returns their number. */
+/* Lists the sides of all faces, except sides that begin and end at one point. Returns the number of listed sides. */
 static size_t list_sides(const vs_face_list *l, shell_side *sides) {
   size_t count = 0;
   for (uint32_t f = 0; f < l->face_count; f++)
@@ -45,7 +45,8 @@ bool vs_face_list_shells(vs_store *s, const vs_face_list *l, uint32_t *shell, un
       vs_unite(shell, sides[i].face, sides[end].face);
     if ((end - i) % 2) open[sides[i].face] = 1;
   }
-  for (uint32_t f = 0; ok && f < n; f++) { /* moves the marks of faces in `open` to the first face of each shell */
+  for (uint32_t f = 0; ok && f < n; f++) { /* open[f] is now 1 for some faces of each shell that is not closed; this
+                                            * loop also sets it for the shell's first face */
     uint32_t root = vs_find(shell, f);
     if (open[f] && root != f) open[root] = 1;
   }

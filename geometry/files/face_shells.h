@@ -5,9 +5,7 @@
 #include "geometry/files/meshfile.h"
 
 /* Sets shell[f] to the first face of face f's shell, a set of faces that common edges connect. Sets open[f] to 1 if f
- * is the first face of a shell that has an edge of an odd number of faces, else to 0. Both arrays have face_count
- * elements. Equal points must have one index (vs_face_list_compact). Returns false when memory is out or the caller of
- * the store s interrupts the run. */
+ * is the first face of a shell that has an edge of an odd number of faces, else to 0. */
 bool vs_face_list_shells(vs_store *s, const vs_face_list *l, uint32_t *shell, unsigned char *open, vs_error *e);
 
 #endif

@@ -39,8 +39,8 @@ static const vs_dynamic_name jpeg_names[] = {
   { "jpeg_destroy_decompress", offsetof(jpeg_functions, destroy) },
 };
 
-/* The error handling that libjpeg gets. After an error it leaves by longjmp; after a warning libjpeg continues. A
- * complete file causes no warning. */
+/* The error handling that libjpeg gets: an error leaves the library by longjmp, and after a warning libjpeg
+ * continues. */
 typedef struct {
   struct jpeg_error_mgr errors; /* must be the first member, because libjpeg passes only a pointer to it */
   struct jpeg_progress_mgr progress;

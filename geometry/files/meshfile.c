@@ -94,8 +94,8 @@ static bool read_stl_words(vs_byte_scan *s, vs_face_list *out) {
          vs_scan_fail(s, "the file ends within a facet");
 }
 
-/* A binary STL file has 80 bytes of any text, the number of triangles, and 50 bytes for each triangle. Many binary
- * files also begin with "solid" like text files, so the file's size distinguishes them. */
+/* A binary STL file has 80 bytes of text, the number of triangles, and 50 bytes for each triangle. The file's size
+ * shows whether a file is binary, because many binary files also begin with "solid" like text files. */
 static bool read_stl(vs_byte_scan *s, vs_face_list *out) {
   uint32_t count = s->size >= 84 ? (uint32_t)s->bytes[80] | (uint32_t)s->bytes[81] << 8 | (uint32_t)s->bytes[82] << 16 |
                                        (uint32_t)s->bytes[83] << 24

@@ -24,9 +24,8 @@ bool vs_face_list_close(vs_face_list *l);
 
 /* Returns true if the name ends in .stl, .ply, .obj or .off. */
 bool vs_mesh_file_is(const char *name);
-/* Reads a mesh file that is in memory; the ending of its name determines the format. Error messages state the line or
- * byte, the expected text, and the text in the file. The numbers of points and faces are checked against the file's
- * size before memory is allocated. *out is empty at the call, and the caller frees it, also after a failure. */
+/* Reads a mesh file that is in memory; the ending of its name determines the format. *out is empty at the call, and the
+ * caller frees it, also after a failure. Returns false and sets e if the file is broken. */
 bool vs_mesh_file_read(const vs_file_bytes *file, vs_poller poll, vs_face_list *out, vs_error *e);
 /* Reads a file as vs_mesh_file_read does, but accepts a file without faces: a cloud of points. nowhere: true if points
  * with coordinates that are not finite are kept, because scanners write such points. */

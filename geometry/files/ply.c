@@ -193,7 +193,8 @@ bool vs_ply_read(vs_byte_scan *s, vs_face_list *out) {
   if (!ply_header(s, &form, elements, &count)) return false;
   for (size_t i = 0; i < count; i++) {
     ply_element *e = &elements[i];
-    size_t least = 0, roles = 0; /* least: smallest possible size of one element of this kind, in bytes */
+    size_t least = 0, roles = 0; /* least: smallest possible size of an element of the file in bytes, to check the
+                                  * number of elements against the file's size */
     for (size_t k = 0; k < e->properties; k++) {
       least += form == PLY_WORDS ? 1 : ply_width[e->at[k].list ? e->at[k].count_type : e->at[k].type];
       roles += e->at[k].role != PLY_OTHER;

@@ -43,9 +43,8 @@ typedef struct {
   jmp_buf failed;
 } png_sink;
 
-/* Returns the sink (destination of the bytes) to which libpng writes. libpng's callbacks get only libpng's structure.
- * Therefore this function loads the library again to read the sink from that structure. This takes some microseconds,
- * some tens of times for a picture. */
+/* Returns the destination of the bytes that libpng writes. libpng's callbacks get only libpng's own structure; to read
+ * the destination from it, this function loads the library again, which takes some microseconds. */
 static png_sink *png_sink_of(png_structp png) {
   struct { void *(*sink)(png_const_structp); } call = { NULL };
   static const vs_dynamic_name name = { "png_get_error_ptr", 0 };

@@ -6,9 +6,8 @@
 
 /* Returns true if the name ends in .xyz, .txt, .csv, .las or .ply. */
 bool vs_point_file_is(const char *name);
-/* Reads the points of a file that is in memory; the ending of its name determines the format. Error messages contain
- * the line (of text files) or describe the fault. The number of points is checked against the file's size before memory
- * is allocated for them. *out is empty at the call. The caller frees it, also after a failure. */
+/* Reads the points of a file that is in memory; the ending of its name determines the format. *out is empty at the
+ * call. The caller frees it, also after a failure. */
 bool vs_point_file_read(const vs_file_bytes *file, vs_poller poll, vs_face_list *out, vs_error *e);
 
 #endif

@@ -72,8 +72,8 @@ static bool sides_sort(vs_store *s, vs_side *sides, const vs_polygons *faces, vs
     for (size_t i = 2; !pass && i < points + 2; i++) at[i] += at[i - 1];
   }
   bool ok = true;
-  for (size_t p = 0; ok && p < points; p++) { /* counting has moved the elements of `at`: now at[p] is the index of
-                                               * point p's first side */
+  for (size_t p = 0; ok && p < points; p++) { /* the loop above has advanced at[p + 1] to the end of point p's sides;
+                                               * therefore at[p] is the index of the first of them */
     uint32_t low = at[p], count = at[p + 1] - low;
     enum { FEW = 16 };
     if (count > FEW) qsort(sides + low, count, sizeof *sides, side_compare);
@@ -108,9 +108,8 @@ static void agreement_free(vs_agreement *g) {
   free(g->seen);
 }
 
-/* Sets *agreed to true if each edge has exactly two faces that contain it in opposite directions; the orientation then
- * needs no further check. The test is quick and suffices for most meshes: *agreed may be false although the faces
- * agree. Returns false when memory is out or the run is interrupted. */
+/* Sets *agreed to true if each edge has exactly two faces, which contain it in opposite directions. This test is quick;
+ * if *agreed is false, the faces may still agree. Returns false when memory is out or the run is interrupted. */
 static bool polyface_agreed(vs_store *s, const vs_polygons *faces, bool *agreed, vs_error *e) {
   enum { FEW = 32 };
   const uint32_t *starts = faces->starts, *corners = faces->corners;
@@ -149,9 +148,9 @@ static bool polyface_agreed(vs_store *s, const vs_polygons *faces, bool *agreed,
   return ok;
 }
 
-/* Finds the neighbours of the faces (g), whose equal points have been merged. *closed: true if each edge has exactly
- * two faces whose orientations agree or can be made to agree. turned[f]: 1 if face f must be reversed for that. Returns
- * false when memory is out or the run is interrupted. */
+/* Finds the neighbours of the faces (g). *closed: true if each edge has exactly two faces whose orientations agree or
+ * can be made to agree. turned[f]: 1 if face f must be reversed for that. Returns false when memory is out or the run
+ * is interrupted. */
 static bool polyface_agree(vs_store *s, vs_agreement *g, const vs_polygons *faces, bool *closed, vs_error *e) {
   size_t face_count = faces->face_count, n = faces->starts[face_count];
   size_t room = n ? n : 1, face_room = face_count ? face_count : 1;
@@ -212,9 +211,8 @@ static bool polyface_agree(vs_store *s, vs_agreement *g, const vs_polygons *face
   return true;
 }
 
-/* Sets *flat to true if no part of the mesh whose triangles common corners connect encloses a volume above `least`.
- * Such a mesh consists of pairs of coincident faces, or the volumes within each part cancel. Returns false when memory
- * is out. */
+/* Sets *flat to true if no connected part of the mesh encloses a volume above `least`, for example because it consists
+ * of pairs of coincident faces. Returns false when memory is out. */
 static bool mesh_is_flat(const vs_mesh *m, double least, bool *flat) {
   uint32_t n = (uint32_t)m->vertex_count, *shell = vs_fresh((size_t)n + 1, sizeof *shell);
   double *volume = vs_zeros((size_t)n + 1, sizeof *volume);

@@ -23,18 +23,17 @@ static inline vs_polygons vs_polygons_of(const vs_face_list *l) {
 /* Sets place[i] to the index of the first point with the coordinates of point i. Returns false when memory is out. */
 bool vs_polyface_merge(const vs_vec3 *points, size_t count, uint32_t *place);
 
-/* Sets turned[f] to 1 for faces that must be reversed to agree with the first face of their shell; all elements are 0
- * at the call. *closed: true if each edge then occurs equally often in both directions. Points are compared by index,
- * not by coordinates. Returns false when memory is out or the caller of the store s, which may be NULL, interrupts. */
+/* Sets turned[f] to 1 for faces that must be reversed to agree with the first face of their shell (connected faces).
+ * *closed: true if each edge then occurs equally often in both directions. Returns false when memory is out or the run
+ * is interrupted. */
 bool vs_polyface_orient(vs_store *s, const vs_polygons *faces, unsigned char *turned, bool *closed, vs_error *e);
 
-/* Makes a node of the faces. Equal points become one point. Drops faces with fewer than three different corners, and
- * reverses faces that disagree with their neighbours, or all faces if the solid is inside out. If there are no faces,
- * returns the empty node. Returns NULL and sets e on failure. */
+/* Makes a node (solid) of the faces. Merges equal points, drops degenerate faces, and reverses faces so that all face
+ * outwards. If there are no faces, returns the empty node. Returns NULL and sets e on failure. */
 vs_node *vs_polyface_make(vs_store *s, const vs_polygons *faces, vs_error *e);
 
-/* Makes a node as vs_polyface_make does. If it computes the node's triangles, appends them to mesh, with the index of
- * the face as tag; otherwise mesh stays empty. mesh must be empty at the call. */
+/* Makes a node (solid) of the faces as vs_polyface_make does. If that computes the solid's triangles, stores them in
+ * mesh, which is empty at the call; the tag of a triangle is the index of its face. */
 vs_node *vs_polyface_make_mesh(vs_store *s, const vs_polygons *faces, vs_mesh *mesh, vs_error *e);
 
 #endif

@@ -16,9 +16,8 @@ typedef struct {
 } vs_raster;
 void vs_raster_free(vs_raster *r);
 
-/* Reads a picture that is in memory; its first bytes determine the format. The number of a pixel is its grey value; for
- * a colour, its luminance (Rec. 709). An EXR file is read from the channel Y, else from its only channel, else from R,
- * G and B. *out needs no initialisation, and is empty after a failure. */
+/* Reads a PNG or EXR picture that is in memory. The number of a pixel is its grey value; for a colour, its luminance
+ * (Rec. 709). *out needs no initialisation, and is empty after a failure. */
 bool vs_raster_read(vs_store *store, const vs_file_bytes *file, vs_raster *out, vs_error *e);
 
 /* Returns true if a picture of this size can be read. Otherwise sets e to a message with the greatest number of

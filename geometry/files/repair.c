@@ -56,8 +56,8 @@ static repair_side *list_sides(const vs_face_list *l, size_t *count) {
   return sides;
 }
 
-/* Returns the index after the last side of an edge; `at` is the index of one of its sides. *over: number of sides that
- * run along the edge minus the number that run against it. */
+/* Returns the index after the last side of an edge; `at` is the index of its first side. *over: number of its sides
+ * that run from the lower point index to the higher, minus the number that run back. */
 static size_t edge_end(const repair_side *sides, size_t count, size_t at, long *over) {
   size_t end = at;
   VS_ASSERT(at < count);
@@ -306,8 +306,8 @@ static bool close_holes(vs_face_list *l, vs_repair_notes *notes) {
     for (size_t i = 0; i <= l->point_count; i++) first[i + 1] += first[i];
     memset(seen, 0xFF, (l->point_count + 1) * sizeof *seen);
   }
-  /* Walks along missing sides. When the walk reaches a point for the second time, the sides since the first time form a
-   * loop. first[p]: index of the next unused side that begins at point p. */
+  /* Walks along the edges where a side is missing. When the walk reaches a point again, the edges since the first visit
+   * form a loop. first[p]: index of the next unused edge that begins at point p. */
   size_t length = 0;
   for (size_t start = 0; ok && start < missing; start++) {
     uint32_t p = at[start].from;
@@ -324,7 +324,7 @@ static bool close_holes(vs_face_list *l, vs_repair_notes *notes) {
         if (!ok) break;
       }
       uint32_t next = first[p];
-      if (next >= missing || at[next].from != p) break; /* no unused side begins at this point, so the walk has returned
+      if (next >= missing || at[next].from != p) break; /* no unused edge begins at this point, so the walk has returned
                                                          * to its start */
       first[p]++;
       seen[p] = (uint32_t)length;

@@ -26,10 +26,9 @@ typedef struct {
   size_t holes;      /* number of holes that were closed with triangles */
   size_t largest;    /* number of edges around the largest hole */
 } vs_repair_notes;
-/* Repairs the faces in place, so that they are closed. Unites points within a millionth of the extent, removes faces,
- * turns shells outwards and closes holes with triangles. A shell inside another that faces inwards stays as a cavity.
- * The result may intersect itself. Returns false when memory is out or the caller of the store s, which may be NULL,
- * interrupts. */
+/* Repairs the faces in place, so that they are closed. Unites nearby points, removes degenerate faces, turns shells
+ * (connected faces) outwards, and closes holes. The result may intersect itself. Returns false when memory is out or
+ * the run is interrupted. */
 bool vs_face_list_repair(vs_store *s, vs_face_list *l, vs_repair_notes *notes, vs_error *e);
 
 #endif

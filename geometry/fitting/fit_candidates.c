@@ -5,14 +5,14 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define DOUBTED .16 /* cost above which a candidate is fitted again with changed numbers; the cost is this high if about
-                     * a twentieth of the points are outliers */
+#define DOUBTED .16 /* If the cost of a candidate (result of a fit) is above this, it is fitted again with changed
+                     * numbers. The cost is this high if about a twentieth of the points are outliers. */
 #define MOVED .08   /* fraction by which one of the model's numbers is changed before the fit is repeated */
 
 static const vs_fit_effort little = { VS_FIT_FIRST / 2, 3, 12, 1e-3 }, more = { VS_FIT_FIRST, 3, 25, 1e-4 };
 
-/* Returns the mean of Tukey's loss over the candidate's distances, scaled to 0 to 1. It is about the fraction of points
- * that do not belong to the model. spread: unit of the distances. */
+/* Returns the mean of Tukey's loss over a candidate's distances, scaled to 0 to 1: about the fraction of outliers.
+ * spread: unit of the distances. */
 static double score(const vs_fit_candidate *c, double spread) {
   double sum = 0, slope, most = VS_TUKEY_REACH * VS_TUKEY_REACH / 3;
   for (size_t i = 0; i < c->known; i++) {
@@ -22,7 +22,8 @@ static double score(const vs_fit_candidate *c, double spread) {
   return c->known ? sum / (double)c->known : 1;
 }
 
-/* Computes the cost of each of `count` candidates. The unit of distances is the least spread of all candidates. */
+/* Computes the cost of each of `count` candidates (results of fits). The unit of distances is the least spread of all
+ * candidates. */
 static void rate(const vs_fit_search *f, vs_fit_candidate *all, size_t count) {
   double spread = INFINITY;
   for (size_t i = 0; i < count; i++) spread = fmin(spread, all[i].spread);
@@ -30,7 +31,8 @@ static void rate(const vs_fit_search *f, vs_fit_candidate *all, size_t count) {
   for (size_t i = 0; i < count; i++) all[i].cost = score(&all[i], spread);
 }
 
-/* Returns true if one of the model's numbers differs between candidates a and b by more than a twentieth. */
+/* Returns true if at least one of the model's numbers differs by more than a twentieth between candidates a and b
+ * (results of fits). */
 static bool apart(const vs_fit_search *f, const vs_fit_candidate *a, const vs_fit_candidate *b) {
   for (size_t j = 0; j < f->numbers; j++) {
     const vs_fit_number *n = &f->p->numbers[j];
@@ -40,7 +42,7 @@ static bool apart(const vs_fit_search *f, const vs_fit_candidate *a, const vs_fi
   return false;
 }
 
-/* Returns the distance of candidate c's numbers from the start numbers, in units of their scales. */
+/* Returns how far the numbers of candidate c (result of a fit) are from the start numbers, in units of their scales. */
 static double from_start(const vs_fit_search *f, const vs_fit_candidate *c) {
   double sum = 0;
   for (size_t j = 0; j < f->numbers; j++) {
@@ -78,8 +80,8 @@ static void choose(vs_fit_search *f, vs_fit_candidate *all, size_t count, vs_fit
   *best = *second, *second = held;
 }
 
-/* Fits all unknowns, starting from those of candidate c. Returns false on failure. An interruption is no failure; it
- * leaves the candidate unchanged or improved. */
+/* Fits all unknowns again, starting from those of candidate c. Returns false on failure. If the run is interrupted,
+ * returns true; the candidate is then unchanged or improved. */
 static bool advance(vs_fit_search *f, vs_fit_candidate *c, const vs_fit_effort *effort) {
   bool refused;
   f->motion = c->motion;
@@ -111,9 +113,8 @@ static bool same_candidate(const vs_fit_search *f, const vs_fit_candidate *a, co
   return !apart(f, a, b) && off < .1 * (double)count * fmax(fmin(a->spread, b->spread), f->tolerance);
 }
 
-/* Changes each of the best candidate's numbers up and down, and fits again from there. Called if many points are
- * outliers: a number may be in a local minimum, for example if one row of windows was fitted to the next row. Returns
- * false on failure. */
+/* Changes each of the best candidate's numbers up and down, and fits again from there, because a number may be in a
+ * local minimum: one row of windows may have been fitted to the next row. Returns false on failure. */
 static bool from_numbers(vs_fit_search *f, vs_fit_candidate *best, vs_fit_candidate *second) {
   enum { NUMBERS_MOVED = 12 };
   vs_fit_candidate pair[2];

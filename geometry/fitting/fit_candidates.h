@@ -14,9 +14,8 @@ typedef struct {
   bool core;
 } vs_fit_candidate;
 
-/* Fits all unknowns, starting from each place of the scan, with a few iterations. Then fits the better half of the
- * different results until they converge. *second: best result with clearly different numbers; its cost is INFINITY if
- * there is none. Returns false on failure; an interruption is no failure. */
+/* Fits all unknowns, starting from each of `count` places of the scan. *second: best result with clearly different
+ * numbers; its cost is INFINITY if there is none. Returns false on failure; an interruption is no failure. */
 bool vs_fit_from_places(vs_fit_search *f, const vs_fit_place *places, size_t count, vs_fit_candidate *best,
                         vs_fit_candidate *second);
 

@@ -15,8 +15,8 @@
 /* ---- confidence intervals ---- */
 
 double vs_student_quantile(double confidence, double freedom) {
-  /* vs_student_quantile first computes the quantile of the normal distribution, by bisection of erf. Then it adds the
-   * terms of the Cornish-Fisher expansion for Student's distribution. */
+  /* First computes the quantile of the normal distribution, by bisection of erf. Then adds the terms of the
+   * Cornish-Fisher expansion for Student's distribution. */
   double low = 0, high = 40;
   VS_ASSERT(confidence > 0 && confidence < 1);
   for (int i = 0; i < 100; i++) {

@@ -6,9 +6,10 @@
 #include <string.h>
 
 enum {
-  STARTS = VS_FIT_STARTS_MOST / 2, /* half of the starts of a fit are found with all points, and half with the core: the
-                                    * points without stray points */
-  PLACES = 24,                     /* number of placements of the scan that are improved by a fit of the motion alone */
+  STARTS = VS_FIT_STARTS_MOST / 2, /* greatest number of starts of a fit that are found with all points; as many are
+                                    * found with the core (the points without stray points) */
+  PLACES = 24,                     /* number of placements of the scan (poses in which it may lie in the model) that are
+                                    * improved by a fit of the motion alone */
   AXES_TURNS = 48,
   PLAN_TURNS = 12,
   SHIFTS = 4
@@ -120,8 +121,8 @@ static bool cost_of(vs_fit_search *f, vs_fit_place *at) {
   return true;
 }
 
-/* Computes a rotation that maps the scan's axes to the model's axes, with signs and order chosen by k: 0 to 23. For k
- * >= 24, it is the rotation for k % 24, and an eighth of a turn about the model's first axis. */
+/* Computes rotation k of those that map the scan's axes to the model's axes: 24 choices of signs and order. For k >=
+ * 24, it is rotation k % 24, followed by an eighth of a turn about the model's first axis. */
 static void axes_turned(int k, double model[3][3], double scan[3][3], double out[3][3]) {
   static const int orders[6][3] = { { 0, 1, 2 }, { 1, 2, 0 }, { 2, 0, 1 }, { 0, 2, 1 }, { 2, 1, 0 }, { 1, 0, 2 } };
   double turned[3][3];
@@ -166,8 +167,7 @@ static void span_along(const double axis[3], const vs_vec3 *points, size_t count
   }
 }
 
-/* The shape of the scan or of the model, for step 1 of the fit: its moments, axes and centre; for the model also its
- * extent along its axes. */
+/* The shape of the scan or of the model: its moments, axes and centre; for the model also its extent along its axes. */
 typedef struct {
   vs_point_moments moments;
   vs_vec3 centre;
@@ -176,8 +176,8 @@ typedef struct {
   size_t count;
 } shape;
 
-/* Adds the places of the scan with the rotation `turn`. For each of SHIFTS shifts, the scan and the model are aligned
- * by the middles or ends of their extents along the model's first axis, or by their centres. */
+/* Adds the places of the scan with the rotation `turn`, one for each of SHIFTS ways to align it with the model along
+ * the model's first axis: by their middles, ends or centres. */
 static void add_turn(const vs_fit_search *f, const shape *model, const shape *scan, double turn[3][3],
                      vs_fit_place *places, size_t *count) {
   for (int s = 0; s < SHIFTS; s++) {
@@ -196,8 +196,8 @@ static void add_turn(const vs_fit_search *f, const shape *model, const shape *sc
   }
 }
 
-/* Adds places that align the axes of the scan's points with the model's axes, and places rotated about the vertical
- * axis. Unless any pose is allowed, the scan's upward direction must agree with the model's. */
+/* Adds places of the scan that align its axes with the model's axes, and places rotated about the vertical axis. Skips
+ * places where the scan would lie on its side, unless any pose is allowed. */
 static void add_turns(const vs_fit_search *f, shape *model, shape *scan, vs_fit_place *places, size_t *count) {
   double turn[3][3], angle = plan_angle(&model->moments) - plan_angle(&scan->moments);
   for (int k = 0; k < AXES_TURNS; k++) {
@@ -225,8 +225,8 @@ static void model_shape(const vs_mesh *mesh, shape *out) {
   for (int a = 0; a < 3; a++) span_along(out->axes[a], mesh->vertices, mesh->vertex_count, NULL, out->span[a]);
 }
 
-/* Computes the moments of a set of points of the scan, and from them its centre and axes. The first `spanned` points
- * span its box. */
+/* Computes the moments of the scan's points, and from them its centre and axes. The first `spanned` points span its
+ * box. */
 static void scan_shape(const vs_vec3 *points, size_t count, size_t spanned, shape *out) {
   *out = (shape){ .points = points, .count = count < spanned ? count : spanned };
   for (size_t i = 0; i < count; i++) vs_point_moments_add(&out->moments, points[i], 1);
@@ -266,8 +266,7 @@ static bool same_unit(vs_fit_search *f) {
 }
 
 /* Finds the best places of the scan in the model, in order of cost. scaled: true for the scaled start numbers, false
- * for the caller's. Returns false if it failed or was interrupted, or the model cannot be made; the error states the
- * reason. */
+ * for the caller's. Returns false on failure or interruption. */
 static bool find_places(vs_fit_search *f, bool scaled, vs_fit_place *places, size_t *count) {
   vs_mesh mesh = { 0 };
   memcpy(f->made_at, f->begin[scaled], f->numbers * sizeof *f->made_at);
@@ -343,8 +342,8 @@ static bool improve(vs_fit_search *f, vs_fit_place *at) {
 
 /* ---- step 1 ---- */
 
-/* Runs step 1 of the fit, with the caller's start numbers or with the numbers scaled by the scan's size. Appends the
- * places of the scan that it finds; the best of them are improved. Returns false on failure. */
+/* Runs step 1 of the fit: appends the best places of the scan in the model. scaled: true if the start numbers are
+ * scaled by the scan's size. Returns false on failure. */
 static bool step_one(vs_fit_search *f, bool scaled, vs_fit_place *places, size_t *count) {
   size_t found;
   if (!find_places(f, scaled, places, &found)) return !f->failed; /* if the search was interrupted before any place was

@@ -23,9 +23,9 @@ typedef struct {
 
 /* Finds the core of the scan: its points without stray points. Stores it in f->core. */
 void vs_fit_find_core(vs_fit_search *f);
-/* Runs step 1 of the fit twice with the current points: with the caller's start numbers, and with these numbers scaled
- * by the scan's size. Improves the best places of the two runs, and appends them to `places`, an array with room for
- * VS_FIT_STARTS_MOST + VS_FIT_PLACES_TRIED elements. Returns false on failure. */
+/* Finds the places of the scan from which step 2 starts, with the caller's start numbers and with numbers scaled by the
+ * scan's size. Appends them to `places`, with room for VS_FIT_STARTS_MOST + VS_FIT_PLACES_TRIED elements. Returns false
+ * on failure. */
 bool vs_fit_find_starts(vs_fit_search *f, vs_fit_place *places, size_t *count);
 
 #endif

@@ -31,7 +31,7 @@ double vs_fit_number_outer(const vs_fit_number *n, double u) {
 double vs_fit_number_inner(const vs_fit_number *n, double x) {
   bool low = isfinite(n->low), high = isfinite(n->high);
   double scale = vs_fit_number_scale(n), width = n->high - n->low;
-  if (low && high) { /* At a bound itself, the derivative by the unknown would be 0, and the number would never change.
+  if (low && high) { /* At a bound itself, the derivative would be 0, and the solver would never change the number.
                       * Therefore the number is first moved slightly inside its bounds. */
     double share = width > 0 ? (x - n->low) / width : .5;
     return asin(2 * fmin(fmax(share, .01), .99) - 1);
@@ -51,8 +51,8 @@ static double outer_slope(const vs_fit_number *n, double u) {
 /* ---- distances and their derivatives ---- */
 
 bool vs_fit_going(vs_fit_search *f) {
-  bool stopped = f->out->stopped; /* If the caller's function `going` has returned false before, only a small amount of
-                                   * work remains, which is completed. */
+  bool stopped = f->out->stopped; /* the caller has already asked to stop; its function `going` is not called again, and
+                                   * the rest of the work is small */
   f->out->stopped = !f->p->model->going(f->p->model->context) || stopped;
   return stopped || !f->out->stopped;
 }

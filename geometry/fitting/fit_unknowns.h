@@ -34,13 +34,13 @@ typedef struct {
   double tolerance;         /* facet tolerance of the model's mesh in the current step of the fit */
   vs_rigid_motion motion;   /* rigid motion of the scan when the six unknowns of the motion are 0 */
   size_t count;             /* number of scan points in the current step of the fit */
-  bool failed;              /* true after an error whose cause is not the values of the model's numbers */
+  bool failed;              /* true after an error other than that the model's numbers do not make a solid */
   vs_vec3 *core;            /* the core: points of the scan without stray points, in the order of the scan */
   size_t core_count;
   const vs_vec3 *points;    /* points used in the current step of the fit: all points of the scan, or the core */
   size_t point_count;
   bool level;               /* true if the fit rotates the scan only about the vertical axis */
-  /* The members below describe the latest computation of distances: the unknowns, and the distances for them. */
+  /* The members below belong to the latest computation of the points' distances from the model. */
   vs_mesh_distance *field;
   double *at, *made_at, *trial; /* at: unknowns for which the distances were computed; made_at: values of the model's
                                  * numbers for which `field` was made; trial: values of the numbers that are to be
@@ -52,19 +52,19 @@ typedef struct {
   double *distances, *other;
 } vs_fit_search;
 
-/* Calls the caller's function `going`. Returns false when `going` returns false for the first time. Afterwards returns
- * true without a call, because only a small amount of work remains, which is completed. */
+/* Calls the caller's function `going`. Returns false when it returns false for the first time. Later calls return true
+ * at once, so that the small rest of the work is completed. */
 bool vs_fit_going(vs_fit_search *f);
 /* Selects the points of the current step of the fit: the core if `core` is true, else all points of the scan. */
 void vs_fit_take_points(vs_fit_search *f, bool core);
 
 /* ---- distances of points from the model ---- */
 
-/* Makes *out, the field of distances from the model with the given numbers. Returns false when interrupted or failed,
+/* Makes *out, the data for distances from the model with the given numbers. Returns false when interrupted or failed,
  * or if the numbers do not make a solid; only in the last case, *refused is true. */
 bool vs_fit_make_field(vs_fit_search *f, const double *numbers, vs_mesh_distance **out, bool *refused);
-/* Computes the distances of the points f->places from the model. slopes: receives the gradients of the distances; may
- * be NULL. field: field of distances from the model. Returns false when interrupted. */
+/* Computes the distances of the points f->places from the model. field: data for distances from the model. slopes:
+ * receives the gradients of the distances; may be NULL. Returns false when interrupted. */
 bool vs_fit_measure(vs_fit_search *f, const vs_mesh_distance *field, double *distances, vs_vec3 *slopes);
 void vs_fit_numbers_at(const vs_fit_search *f, const double *unknowns, double *out);
 /* Computes the distances of the points, and their derivatives, for the given unknowns. Returns false when interrupted
@@ -90,16 +90,15 @@ bool vs_fit_number_slopes(vs_fit_search *f, size_t j, double *out);
 /* ---- fitting ---- */
 
 /* How long to fit. points: number of points; rounds: greatest number of rounds; most: greatest number of evaluations in
- * a round. A round ends when the loss or the unknowns change by less than the fraction `tolerance`. */
+ * a round; tolerance: a round ends when the loss or the unknowns change by less than this fraction. */
 typedef struct {
   size_t points;
   unsigned rounds, most;
   double tolerance;
 } vs_fit_effort;
 
-/* Fits all unknowns, starting from the given values, with Tukey's loss. It works in rounds, each with a new spread of
- * the distances. If there are at least three rounds, the first uses three times the spread, so that slightly displaced
- * parts still have an influence. Returns false when interrupted or failed. */
+/* Fits all unknowns, starting from the given values, with Tukey's loss. It works in rounds, each with a new spread
+ * (usual size) of the distances. Returns false when interrupted or failed. */
 bool vs_fit_improve(vs_fit_search *f, const vs_fit_effort *effort, double *unknowns);
 /* Moves f->motion by the unknowns of the motion, and sets these unknowns to 0. */
 void vs_fit_settle(vs_fit_search *f, double *unknowns);

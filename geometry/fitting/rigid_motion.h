@@ -28,15 +28,15 @@ static inline vs_vec3 vs_rigid_point(const vs_rigid_motion *m, vs_vec3 p) {
 /* Computes the left Jacobian J of the rotation group for the rotation vector w in the unknowns: rotation by w + dw
  * equals rotation by w, then by J dw, for a small dw. `size` is above 0. */
 void vs_rigid_jacobian(const double unknowns[VS_RIGID_UNKNOWNS], double size, double out[3][3]);
-/* vs_rigid_map returns the motion as an affine map, vs_rigid_inverse the inverse map. */
+/* Returns the motion m as an affine map. */
 vs_affine vs_rigid_map(const vs_rigid_motion *m);
+/* Returns the inverse of the motion m as an affine map. */
 vs_affine vs_rigid_inverse(const vs_rigid_motion *m);
 
 /* Computes the eigenvalues of the symmetric n by n matrix m in descending order, and unit eigenvectors in the columns
  * of v (Jacobi's method). Both matrices are stored row by row; m is overwritten. */
 void vs_symmetric_eigen(double *m, double *v, double *values, size_t n);
-/* Sums over weighted points. From these sums, the centre of the points is computed, and their axes: the rows of a
- * rotation, in descending order of spread. */
+/* Weighted sums over points, from which vs_point_moments_axes computes the centre and the axes of the points. */
 typedef struct {
   double weight;
   vs_vec3 sum;

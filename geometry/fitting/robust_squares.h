@@ -7,9 +7,9 @@
 
 #include <stddef.h>
 
-/* The loss functions. HUBER: quadratic up to 1.345 spreads, and linear above; it is convex and leads near the solution.
- * TUKEY: the biweight, in which a residual above 4.685 spreads has no influence; it determines the solution. If errors
- * are normal, both have 95 % of the efficiency of least squares. */
+/* The loss functions. HUBER: quadratic up to 1.345 spreads (usual sizes of a residual), linear above; it leads near
+ * the solution. TUKEY: the biweight, in which a residual above 4.685 spreads has no influence; it determines the
+ * solution. */
 typedef enum { VS_LOSS_HUBER, VS_LOSS_TUKEY } vs_loss;
 #define VS_TUKEY_REACH 4.685
 
@@ -20,8 +20,7 @@ double vs_loss_root(vs_loss loss, double r, double *slope, double *weight);
 double vs_loss_curvature(vs_loss loss, double r);
 
 /* Computes `count` residuals. If slopes is not NULL, computes their derivatives instead: slopes[j * count + i] is the
- * derivative of residual i by unknown j. The solver requests derivatives only for unknowns for which it has requested
- * residuals. Returns false to stop the solver. */
+ * derivative of residual i by unknown j. Returns false to stop the solver. */
 typedef bool vs_residuals_fn(void *context, const double *unknowns, double *residuals, double *slopes);
 
 typedef struct {

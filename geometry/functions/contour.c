@@ -39,8 +39,8 @@ enum { BLOCK = 8, CORNERS = (BLOCK + 1) * (BLOCK + 1) * (BLOCK + 1), NONE = -1, 
 typedef struct {
   int32_t at[3];
   uint8_t below;   /* signs at the cell's corners: bit c is set if the value at corner c is below 0 */
-  uint8_t flips;   /* bit f is set if the crossings in face f of the cell are joined in the second of two possible ways
-                    * (step 3 of the plan) */
+  uint8_t flips;   /* bit f is set if face f of the cell has four crossings that are joined in the second of two
+                    * possible ways (step 3 of the plan) */
   bool sharp;      /* true if the cell contains a sharp edge or corner of the surface */
   uint32_t rings;  /* two bits for each edge of the cell: the number of the ring (piece of the surface) that contains
                     * the edge's crossing */
@@ -370,8 +370,7 @@ static int root_of(const int8_t *parent, int e) {
 }
 
 /* Finds the pairs of crossed edges that the surface connects in a face of cell c, and returns their number. If four
- * edges are crossed, a pair consists of the two edges at a corner where the value is below 0; in a flipped face, at a
- * corner where it is above 0. */
+ * edges are crossed, two ways to pair them are possible; c->flips chooses. */
 static int face_pairs(const cell *c, int face, int (*pair)[2]) {
   int k[4], crossed[4], count = 0;
   face_corners(face, k);
@@ -414,7 +413,7 @@ static int join_rings(cell *c) {
 
 static unsigned ring_of(const cell *c, int edge) { return c->rings >> 2 * edge & 3; }
 
-/* Returns true if both pairs of crossed edges in a face of cell c belong to one ring (piece of the surface). */
+/* Returns true if all four crossings of the face of cell c belong to one ring (piece of the surface). */
 static bool on_one_ring(const cell *c, int face) {
   int pair[2][2];
   return face_pairs(c, face, pair) == 2 && ring_of(c, pair[0][0]) == ring_of(c, pair[1][0]);
@@ -466,9 +465,8 @@ static void eigen(double m[3][3], double v[3][3]) {
   }
 }
 
-/* If the scalar product of two normals is below SHARP, there is a sharp edge between them. If a normal has a component
- * above CORNER perpendicular to the plane of the others, there is a corner. Smaller differences are the curvature of a
- * smooth surface. SHARP and CORNER are the cosine and sine of some 25 degrees. */
+/* If the scalar product of two unit normals is below SHARP, the surface has a sharp edge between them. If a normal has
+ * a component above CORNER outside the plane of the others, it has a corner. */
 #define SHARP .9
 #define CORNER .42
 
@@ -492,9 +490,9 @@ static int rank_of(const vs_vec3 *normal, int n) {
   return leans > CORNER ? 3 : 2;
 }
 
-/* Returns the point that is nearest to all planes through the n > 0 places with the given normals. The planes determine
- * it in `rank` directions (0 to 3); in the remaining directions it is as near to `from` as possible. Along the axes
- * whose bits are set in `fixed`, it has the coordinates of `from`. */
+/* Returns the point nearest to the n > 0 planes with the given places and normals. In directions that the planes do not
+ * determine, it is as near to `from` as possible. Along axes whose bits are set in `fixed`, it keeps the coordinates of
+ * `from`. */
 static vs_vec3 best_point(const vs_vec3 *place, const vs_vec3 *normal, int n, vs_vec3 from, int rank, unsigned fixed) {
   double m[3][3] = { { 0 } }, v[3][3], b[3] = { 0, 0, 0 }, x[3] = { 0, 0, 0 };
   VS_ASSERT(rank >= 0 && rank <= 3 && n > 0);
@@ -523,7 +521,7 @@ static vs_vec3 best_point(const vs_vec3 *place, const vs_vec3 *normal, int n, vs
   return vs_v3_add(from, vs_v3(x[0], x[1], x[2]));
 }
 
-/* The search for the point of a ring (piece of the surface in a cell), and the limits of the point. */
+/* State of the search for the point of a ring (piece of the surface in a cell), with the limits of that point. */
 typedef struct {
   double low[3], high[3];
   uint32_t point;
@@ -558,9 +556,8 @@ static vs_vec3 best_within(const ring_point *r, const vs_vec3 *place, const vs_v
   return held_in(r, p);
 }
 
-/* Samples the surface near the points of n rings (pieces of the surface), and moves the points. A point on a smooth
- * piece moves onto the surface. A point on a sharp edge moves to the intersection of the planes on both sides. Repeats
- * this with samples at smaller and smaller distances. Returns false on failure. */
+/* Samples the surface near the points of n rings (pieces of the surface), and moves each point: on a smooth piece onto
+ * the surface, on a sharp edge to the intersection of the planes on both sides. Returns false on failure. */
 static bool refine(contour *c, ring_point *rings, size_t n) {
   enum { LOOKS = 24, TURNS_OF_LOOKS = 3 };
   static const double reach[TURNS_OF_LOOKS] = { .4, .15, .05 };
@@ -636,9 +633,8 @@ static vs_vec3 middle_of(const vs_vec3 *at, int n) {
   return middle;
 }
 
-/* Returns true if a sharp edge of the surface passes through a cell although all crossings of the cell lie on one side
- * of that edge. This is assumed if a neighbouring cell contains a sharp edge and the planes of both cells intersect
- * within this cell. *p: the intersection. */
+/* Returns true if a sharp edge of the surface probably passes through a cell although all crossings of the cell lie on
+ * one side of it. *p: the point where the planes of this cell and a neighbouring cell intersect. */
 static bool goes_on(const contour *c, const cell *here, const crossings *own, ring_point *r, vs_vec3 *p) {
   for (int face = 0; face < 6; face++) {
     int axis = face / 2, way = face & 1 ? 1 : -1;
@@ -743,8 +739,8 @@ static bool find_around(contour *c) {
       int back = k == 1 || k == 2, down = k >= 2;
       int32_t at[3] = { owner->at[0], owner->at[1], owner->at[2] };
       at[b] -= back, at[d] -= down;
-      const cell *there = cell_at(c, at[0], at[1], at[2]); /* the surface crosses the edge, and so all four cells at it;
-                                                            * therefore the table contains this cell */
+      const cell *there = cell_at(c, at[0], at[1], at[2]); /* the surface crosses the edge, and therefore all four cells
+                                                            * around it are in the table */
       corner[k] = there ? there->first + ring_of(there, 4 * e->axis + back + 2 * down) : owner->first;
     }
     if (!e->rises) {
@@ -802,8 +798,8 @@ static bool faces(contour *c, const uint32_t *stands_for) {
   return true;
 }
 
-/* Measures the distance of the triangles' centres from the surface, to first order. Also finds whether sides of the box
- * are parts of the mesh. */
+/* Measures the distance of the triangles' centres from the surface, to first order. Also finds whether the mesh has
+ * faces on the sides of the box. */
 static vs_contour_outcome judge(contour *c) {
   enum { BATCH = VS_SAMPLE_BATCH };
   double x[3][BATCH], v[BATCH], slope[3][BATCH];

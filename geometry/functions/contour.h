@@ -31,14 +31,12 @@ typedef struct {
   double deviation; /* largest distance of a triangle's centre from the surface, to first order */
 } vs_contour;
 
-/* A box from corner p to corner q, with p < q along each axis, which is divided into cubes. `cells`: number of cubes
- * along the box's longest side. `tolerance`: cubes are merged where the surface is flat within this length; 0: within
- * rounding errors. */
+/* A box from corner p to corner q, p < q along each axis, divided into cubes. cells: number of cubes along its longest
+ * side. tolerance: cubes are merged where the surface is flat within this length. */
 typedef struct { vs_vec3 p, q; int cells; double tolerance; } vs_contour_grid;
 
-/* Makes the mesh of the part of the grid's box where t(x, y, z) < 0. The mesh is a closed manifold. If its deviation
- * before merging is above the tolerance, no cubes are merged. cells is 1 to VS_CONTOUR_CELLS. The caller frees the mesh
- * with vs_contour_free after any outcome. */
+/* Makes the closed mesh of the part of the grid's box where t(x, y, z) < 0. grid->cells is 1 to VS_CONTOUR_CELLS. The
+ * caller frees the mesh with vs_contour_free after any outcome. */
 vs_contour_outcome vs_contour_make(const vs_tape *t, const vs_contour_grid *grid, vs_long_work work, vs_contour *out);
 void vs_contour_free(vs_contour *c);
 

@@ -46,7 +46,7 @@ static vs_enclosure squared(vs_enclosure a) {
   return r;
 }
 
-/* Returns the bounds of f over the interval a. f is monotonic and increasing. */
+/* Returns the bounds of f over the interval a; f is an increasing function. */
 static vs_enclosure rising(double (*f)(double), vs_enclosure a, bool partial) {
   return bounds(f(a.low), f(a.high), 4, partial);
 }

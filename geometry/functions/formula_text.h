@@ -14,9 +14,8 @@ typedef enum {
 enum { VS_FORMULA_MOST = 100000 }; /* greatest number of characters of a formula; a formula repeats a step that is used
                                     * several times, so it may become very long */
 
-/* Returns output number `output` of the tape as text, with the given names of the inputs; the caller frees it. Returns
- * NULL on failure: if the text would have more than VS_FORMULA_MOST characters or contain a field, *no_word is true; if
- * memory is out, it is false. */
+/* Returns one output of the tape (list of operations) as text, which the caller frees. On failure returns NULL;
+ * *no_word is true if the text would be too long or contain a field, and false if memory is out. */
 char *vs_formula_text(const vs_tape *t, uint32_t output, vs_formula_language language, const char *const *names,
                       bool *no_word);
 

@@ -26,8 +26,7 @@ enum { LEVELS = 16, EDGES = 12 };
 /* BEND: a node is merged only if the new point is within this fraction of the node's size of all planes, so that curved
  * surfaces are not merged. */
 #define BEND .1
-/* TO_MIDDLE: weight of the distance from the part's middle, which decides between points that are equally near to the
- * planes. */
+/* TO_MIDDLE: weight that prefers the point nearer to the middle among points that are equally near to the planes. */
 #define TO_MIDDLE 1e-7
 
 typedef struct {
@@ -35,7 +34,8 @@ typedef struct {
   bool whole; /* true if all children of the node are merged, so that the node itself may be merged */
 } node;
 
-/* A connected part of the surface within a node of the octree. Before parts were joined, it had its own point. */
+/* A connected part of the surface within a node (cube) of the octree. Neighbouring parts are joined, and may then share
+ * one point. */
 typedef struct {
   uint32_t ring, node;
   uint32_t up;            /* union-find parent of this part of the surface: another part with which it is joined, or
@@ -56,8 +56,8 @@ typedef struct {
   const vs_octree_leaves *l;
   double tolerance;
   int level;
-  uint32_t *of;     /* of[r]: union-find parent of ring r (a piece of the surface in a cell); the root is the first ring
-                     * of the merged part */
+  uint32_t *of;     /* of[r]: union-find parent of ring r (a piece of the surface in a cell); the root represents all
+                     * rings that share one point */
   uint32_t *next;   /* next[r]: ring after r in the circular list of rings (pieces of the surface in cells) whose parts
                      * of the surface are joined */
   uint32_t *rep;    /* rep[r]: for the first ring r of a part of the surface, the ring whose point represents the
@@ -75,8 +75,8 @@ typedef struct {
   size_t node_count, node_room;
   uint32_t *table; /* hash table that maps the position of a node to its index plus 1 */
   size_t slots, table_room;
-  int32_t (*spoilt)[3]; /* positions of nodes on the level below that were not merged, so that no node around them is
-                         * merged */
+  int32_t (*spoilt)[3]; /* positions of nodes on the level below that were not merged; therefore the nodes that contain
+                         * them are not merged either */
   size_t spoilt_count, spoilt_room;
 } octree;
 
@@ -214,7 +214,7 @@ static bool is_disc(const part *p) {
   return all > 0;
 }
 
-/* EACH_RING runs the statement that follows it for each ring r of all parts joined with part p. */
+/* EACH_RING runs the next statement for each ring r (piece of the surface) of all parts joined with part p. */
 #define EACH_RING(o, p, r)                                                                                             \
   for (uint32_t q_ = (p), once_ = 1; once_ || q_ != (p); q_ = (o)->parts[q_].link, once_ = 0)                          \
     for (uint32_t r = (o)->parts[q_].ring, first_ = 1; first_ || r != (o)->parts[q_].ring; r = (o)->next[r], first_ = 0)
@@ -297,8 +297,7 @@ static bool merge(octree *o) {
     if (!o->nodes[p.node].whole || p.up != i) continue;
     o->rep[p.ring] = p.best;
     o->number[p.ring] = (uint32_t)parts;
-    o->parts[parts++].ring = p.ring; /* elements of `parts` before index p were already read, so they can be
-                                      * overwritten */
+    o->parts[parts++].ring = p.ring; /* elements of `parts` before index p were already read, and may be overwritten */
   }
   o->part_count = parts;
   for (size_t i = 0; i < o->quad_count; i++) {

@@ -32,9 +32,8 @@ typedef struct {
 
 typedef enum { VS_OCTREE_DONE, VS_OCTREE_STOPPED, VS_OCTREE_MEMORY } vs_octree_outcome;
 
-/* Sets stands_for[r] to the ring whose point replaces the point of ring r; to r if nothing replaces it. With these
- * points, and without corners that a quad then repeats, the mesh remains a closed manifold. A point that replaces
- * others is within `tolerance`, at least 0, of the planes through all their crossings. */
+/* Sets stands_for[r] to the ring (piece of the surface in a cell) whose point replaces the point of ring r; to r if it
+ * keeps its point. Such a point is within `tolerance` of the planes through all crossings that it replaces. */
 vs_octree_outcome vs_octree_merge(const vs_octree_leaves *leaves, double tolerance, uint32_t *stands_for);
 
 #endif

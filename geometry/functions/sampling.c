@@ -15,9 +15,8 @@
 
 enum { BATCH = VS_SAMPLE_BATCH };
 
-/* WIDE marks functions that are compiled twice: on processors with AVX2, four numbers are processed at a time instead
- * of two, with identical results. With a sanitizer it is empty, because the loader would choose between the two before
- * the sanitizer is initialised. */
+/* WIDE marks functions that are compiled twice, with and without AVX2; the loader chooses at the start, and the results
+ * are identical. */
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
 #define WIDE __attribute__((target_clones("avx2", "default")))
@@ -60,7 +59,7 @@ static size_t assign_lanes(vs_sampler *s) {
   for (size_t i = 0; i < t->count; i++) {
     const vs_tape_step *step = &t->step[i];
     bool used_before = idle_count && step->op != VS_TAPE_CONSTANT;
-    /* The step gets its lane (array of numbers) before the lanes of its operands become free. Therefore no step writes
+    /* The step gets its lane (array of numbers) before the lanes of its operands become free, so that it never writes
      * to a lane from which it reads. */
     s->lane[i] = used_before ? idle[--idle_count] : lanes++;
     int n = vs_tape_operands((vs_tape_operator)step->op);
