@@ -33,15 +33,13 @@ void vs_marks_set(vs_marks *m, size_t i, bool in) {
   for (int k = 0; k < m->levels; k++, i /= 64) {
     uint64_t *word = &m->level[k][i / 64], bit = UINT64_C(1) << i % 64;
     if (in) *word |= bit;
-    else if ((*word &= ~bit) != 0) return; /* the word still has other bits, so its bit in the next level stays set, and
-                                            * no higher level changes */
+    else if ((*word &= ~bit) != 0) return; /* the word still has other bits, so no higher level changes */
   }
 }
 
 static int marks_first(uint64_t word) { return __builtin_ctzll(word); }
 
-/* vs_marks_next may use index i in every level, even after the last word, because each level has one word more than it
- * needs. */
+/* Each level has one word more than it needs, so that the index i is valid even after the last word. */
 size_t vs_marks_next(const vs_marks *m, size_t from) {
   size_t i = from;
   for (int k = 0; k < m->levels; k++, i = i / 64 + 1) { /* goes up to the first level at which a bit is set at position

@@ -202,8 +202,8 @@ static void slopes(int count, const vs_tape_step *step, double *r, const double 
   }
 }
 
-/* Computes the values of field f (a function of space) and their slopes for n points, whose coordinates are the
- * operands of[0] to of[2]. Elements after the first n get the value of the first point. */
+/* Computes the values and slopes of field f (a function of space) for n points, whose coordinates are in of[0] to
+ * of[2]. Elements from n on get the value of the first point. */
 static void field(const vs_tape_field *f, int count, size_t n, double *r, const double *const of[3]) {
   const double *a = of[0], *b = of[1], *c = of[2];
   for (size_t i = 0; i < BATCH; i++) {
@@ -271,8 +271,7 @@ static double range_value(const vs_sample_range *r, int64_t at) {
   return at < VS_SAMPLE_KNOWN ? r->known[at] : computed(r, at);
 }
 
-/* Fills points as vs_sample_points does, but not beyond the end of the innermost range. Returns the number of
- * points. */
+/* Fills points as vs_sample_points does, up to the end of the innermost range at most. Returns the number of points. */
 static int row(vs_sample_range *r, uint32_t inputs, double (*in)[VS_SAMPLE_BATCH], int k, int count) {
   vs_sample_range *last = &r[inputs - 1];
   int n = last->n - last->at < count - k ? (int)(last->n - last->at) : count - k;

@@ -23,8 +23,8 @@ void vs_sample(vs_sampler *s, const double *const *in, size_t n, double *const *
  * derivative by input j at point i. At a kink it is the derivative on one side. */
 void vs_sample_slopes(vs_sampler *s, const double *const *in, size_t n, double *const *out, double *const *slope);
 
-/* The values of one coordinate of a grid of points: n equally spaced numbers from a to b, both included. at: index of
- * the current number. */
+/* A range: the values of one coordinate of a grid of points, n equally spaced numbers from a to b, both included. at:
+ * index of the current number. */
 enum { VS_SAMPLE_KNOWN = 256 };
 typedef struct {
   double a, b;
@@ -34,8 +34,8 @@ typedef struct {
 /* Moves the range r to its first value. r->a, b and n must be set, and n > 0. */
 void vs_sample_begin(vs_sample_range *r);
 
-/* Fills in[k][0] to in[k][count - 1] with coordinate k of the next `count` points of the grid, and advances. Of the
- * ranges, at least one, the last changes fastest. count is at most VS_SAMPLE_BATCH. */
+/* Stores the next `count` points of a grid, at most VS_SAMPLE_BATCH, and advances: in[k][i] is coordinate k of point i.
+ * r: the ranges of the coordinates; the last changes fastest. */
 void vs_sample_points(vs_sample_range *r, uint32_t inputs, double (*in)[VS_SAMPLE_BATCH], int count);
 /* Returns true if one of the `count` numbers is NaN. */
 bool vs_sample_nan(const double *at, int count);

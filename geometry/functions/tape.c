@@ -182,7 +182,7 @@ uint32_t vs_tape_add(vs_tape *t, vs_tape_operator op, uint32_t a, uint32_t b, ui
   }
   if ((op == VS_TAPE_ADD || op == VS_TAPE_MUL) && a > b) s.of[0] = b, s.of[1] = a; /* orders the operands of sums and
                                                                                     * products, so that a + b and b + a
-                                                                                    * become one step */
+                                                                                    * become one step of the tape */
   return step_number(t, &s);
 }
 

@@ -44,8 +44,8 @@ typedef struct {
 typedef struct vs_tape {
   vs_tape_step *step;
   size_t count, room;
-  uint32_t *index; /* hash table in which a step with given contents is found: a slot has the index of a step plus 1; 0
-                    * marks a free slot; the number of slots is a power of two */
+  uint32_t *index; /* hash table that finds a step by its contents; a slot has the index of the step plus 1, or 0 if the
+                    * slot is free */
   size_t slots;
   vs_tape_field **field; /* fields that the steps use; the tape holds one reference to each field */
   size_t field_count, field_room;
@@ -56,15 +56,18 @@ typedef struct vs_tape {
 vs_tape *vs_tape_new(uint32_t inputs);
 void vs_tape_free(vs_tape *t);         /* frees the tape t, which may be NULL */
 
-/* vs_tape_constant, vs_tape_input, vs_tape_add and vs_tape_add_field return the index of a step: an equal step that the
- * tape has, or a new one. They return UINT32_MAX when memory is out or the tape has VS_TAPE_STEPS steps. */
+/* Returns the index of the step that is the constant `value`; adds the step if the tape does not have it. Returns
+ * UINT32_MAX when memory is out or the tape has VS_TAPE_STEPS steps. */
 uint32_t vs_tape_constant(vs_tape *t, double value);
-uint32_t vs_tape_input(vs_tape *t, uint32_t number); /* adds a step for the input with this number, which is below the
-                                                      * number of inputs */
-/* Adds a step with the operator op of operators.def and the operands a, b and c, which are indices of steps. */
+uint32_t vs_tape_input(vs_tape *t, uint32_t number); /* returns the index of the step for the input with this number;
+                                                      * otherwise as vs_tape_constant */
+/* Returns the index of the step with the operator op (operators.def) and the operands a, b and c, which are indices of
+ * steps. Adds the step if the tape does not have it. */
 uint32_t vs_tape_add(vs_tape *t, vs_tape_operator op, uint32_t a, uint32_t b,
                      uint32_t c); /* operands that the operator op does not have must be 0 */
 
+/* Returns the index of the step that is the value of field f at a point, whose coordinates are the steps x, y and z.
+ * Returns UINT32_MAX on failure. */
 uint32_t vs_tape_add_field(vs_tape *t, vs_tape_field *f, uint32_t x, uint32_t y, uint32_t z);
 
 /* Returns the number of operands of the operator op. */

@@ -38,7 +38,8 @@ static bool ies_labels(ies_text *t) {
   while (ies_line(t, &from, &count)) {
     if (count > LINE_MOST || memchr(from, 0, count)) return ies_wrong(t, "this is no text of an IES file");
     if (count < 5 || memcmp(from, "TILT=", 5) != 0) continue;
-    if (count == 9 && !memcmp(from + 5, "NONE", 4)) return t->line++, true; /* the numbers begin on the next line */
+    if (count == 9 && !memcmp(from + 5, "NONE", 4)) return t->line++, true; /* the numbers begin on the line after
+                                                                             * TILT=NONE */
     return ies_wrong(t, "only IES files with TILT=NONE can be read");
   }
   return ies_wrong(t, "this is no IES file: it has no line TILT=NONE");
@@ -92,7 +93,7 @@ static bool ies_is_round(const ies_text *t, const vs_ies *x) {
   const double *h = horizontals_of(x), last = h[x->horizontals - 1];
   if (h[0] == 0 && (last == 0 || last == 90 || last == 180 || last == 360)) return true;
   if (h[0] == 90 && last == 270) return true;
-  /* Many makers omit the row for 360 degrees, which would repeat the row for 0. */
+  /* Many makers omit the row of intensities at 360 degrees, which would repeat the row at 0. */
   if (h[0] == 0 && last > 180 && last < 360) return true;
   return ies_wrong(t, "the horizontal angles must go from 0 to 0, 90, 180 or 360, or from 90 to 270");
 }
@@ -145,8 +146,8 @@ void vs_ies_free(vs_ies *ies) {
   *ies = (vs_ies){ .store = ies->store };
 }
 
-/* Finds the angles before and after `angle` in the ascending array `at`: the indices *i and *i + 1. *share: position of
- * `angle` between the two, 0 to 1. Returns false if `angle` is outside the range. count is at least 1. */
+/* Finds the neighbours *i and *i + 1 of `angle` in the ascending array `at`. *share: position of `angle` between the
+ * two, 0 to 1. Returns false if `angle` is outside the range. count is at least 1. */
 static bool between(const double *at, uint32_t count, double angle, uint32_t *i, double *share) {
   uint32_t low = 0, high = count - 1;
   VS_ASSERT(count > 0);
@@ -174,7 +175,7 @@ double vs_ies_candelas(const vs_ies *x, double vertical, double horizontal) {
   if (!between(x->at, x->verticals, vertical, &i, &down)) return 0;
   horizontal = fmod(fmod(horizontal, 360) + 360, 360);
   if (last == 0) return along(x, 0, i, down);
-  if (first == 90) { /* the file's angles go from 90 to 270 degrees, and symmetry completes the turn */
+  if (first == 90) { /* the file's angles go from 90 to 270 degrees; the other half of the turn is its mirror image */
     if (horizontal < 90) horizontal = 180 - horizontal;
     else if (horizontal > 270) horizontal = 540 - horizontal;
   } else if (last <= 180) {

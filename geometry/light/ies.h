@@ -15,9 +15,8 @@ typedef struct {
   vs_store *store;               /* store whose memory `at` uses */
 } vs_ies;
 
-/* Reads an IES file that is in memory: editions of 1986, 1991, 1995 and 2002, with TILT=NONE and photometry of type C.
- * name: file name without folders, for messages. Returns false if the file has another format or invalid values; e then
- * states the line number. out needs no initialisation, and is empty after a failure. */
+/* Reads an IES file (light of a lamp) that is in memory, with TILT=NONE and photometry of type C. Returns false if the
+ * file has another format or invalid values. out needs no initialisation, and is empty after a failure. */
 bool vs_ies_read(vs_store *store, const char *name, const char *text, size_t size, vs_ies *out, vs_error *e);
 void vs_ies_free(vs_ies *ies);
 /* Returns the intensity in candelas in the direction with the given angles in degrees. Interpolates linearly between

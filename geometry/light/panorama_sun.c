@@ -11,8 +11,8 @@
 static const double pi = 3.14159265358979323846;
 static const double reach = 2.5, ring = 4; /* reach: greatest angle from the sun's centre, in degrees, of light that
                                             * belongs to the sun; ring: outer angle of the ring of sky around it */
-static const double times = 20;            /* least ratio of the brightest pixel to the mean of the ring around it;
-                                            * below this, the picture has no sun */
+static const double times = 20;            /* the picture has a sun if its brightest pixel is at least this many times
+                                            * as bright as the ring of sky around it */
 
 typedef struct { const float *plane[3]; uint32_t columns, rows; } panorama;
 
@@ -47,8 +47,7 @@ static bool brightest(const panorama *p, uint32_t *row, uint32_t *column) {
 
 typedef void each_fn(void *to, const panorama *p, size_t pixel, double angle, vs_vec3 direction);
 
-/* Calls `each` for each pixel whose angle from the direction `middle` is between `from` and `end` degrees, from <= end.
- * Skips rows without such a pixel. */
+/* Calls `each` for each pixel whose angle from the direction `middle` is between `from` and `end` degrees. */
 static void within(const panorama *p, vs_vec3 middle, double from, double end, each_fn *each, void *to) {
   double high = asin(fmax(-1, fmin(1, middle.z)));
   VS_ASSERT(from <= end);

@@ -33,8 +33,7 @@ static void bounds_add_arc(vs_bounds *b, const vs_affine *a, const struct vs_arc
   }
 }
 
-/* Returns the tolerance with which shapes are sampled for their bounds, computed from their approximate bounds. It is
- * finer than the default tolerance of drawings. */
+/* Returns the tolerance with which a shape is sampled for its exact bounds. b: its approximate bounds. */
 static double bounds_fineness(const vs_bounds *b) {
   double d = vs_bounds_diagonal(b);
   return d > 0 && isfinite(d) ? d / 65536 : 1e-6;
@@ -46,12 +45,12 @@ static double bounds_fineness(const vs_bounds *b) {
  * the shape, in the coordinates of n. Returns false on failure. */
 typedef bool bounds_sampler(const vs_node *n, const vs_affine *a, double tolerance, vs_bounds *b, vs_error *e);
 
-/* How a kind is sampled. coarse: tolerance as a multiple of bounds_fineness. thinnest: least fraction of this tolerance
- * for a thin shape. */
+/* How a kind of node is sampled. coarse: tolerance as a multiple of bounds_fineness; thinnest: least fraction of this
+ * tolerance, for a thin shape. */
 typedef struct { bounds_sampler *sample; double coarse, thinnest; } bounds_sampling;
 
-/* Returns the tolerance for the shortest side of the box b: the share of its length that `tolerance` is of `diagonal`,
- * times 8. Sides of length 0 do not count. b: bounds of a shape mapped by a. diagonal: length before the map. */
+/* Returns the tolerance for sampling a thin shape: at most 8 * `tolerance` times the ratio of its shortest side to its
+ * diagonal, measured before the map a. b: bounds of the mapped shape. */
 static double bounds_side_tolerance(const vs_bounds *b, const vs_affine *a, double tolerance, double diagonal) {
   double side[3] = { b->max.x - b->min.x, b->max.y - b->min.y, b->max.z - b->min.z }, least = tolerance;
   for (int k = 0; k < 3; k++) {
@@ -62,7 +61,7 @@ static double bounds_side_tolerance(const vs_bounds *b, const vs_affine *a, doub
 }
 
 /* Enlarges b by the bounds of node n mapped by a. children: bounds of the points or nodes from which n is made. Samples
- * a thin shape again, more finely: a map may enlarge its short sides alone. Returns false on failure. */
+ * a thin shape more finely. Returns false on failure. */
 static bool bounds_add_samples(vs_bounds *b, const bounds_sampling *how, const vs_node *n, const vs_affine *a,
                                const vs_bounds *children, vs_error *e) {
   double tolerance = how->coarse * bounds_fineness(children), diagonal = vs_bounds_diagonal(children);
@@ -98,8 +97,8 @@ static double bounds_swept_circle(const vs_node *n) {
   return profile->kind == VS_CIRCLE && VS_AS(circle, profile)->segments <= 0 ? radius : 0;
 }
 
-/* Enlarges b by the sections of a swept solid, mapped by a. radius: radius of its profile if this is a circle, or 0.
- * The mean of the samples of a circle is its centre. */
+/* Enlarges b by the cross-sections of a swept solid, mapped by a. radius: radius of its profile if this is a circle, or
+ * 0. */
 static void bounds_add_sections(vs_bounds *b, const vs_affine *a, const vs_swept *plan, double radius) {
   vs_vec2 middle = { 0, 0 };
   for (size_t k = 0; k < plan->profile_count; k++) {
@@ -119,7 +118,8 @@ static void bounds_add_sections(vs_bounds *b, const vs_affine *a, const vs_swept
   }
 }
 
-/* The bounds of an upright extrusion follow exactly from its profile; others are sampled. */
+/* Enlarges b by a swept solid. The bounds of an upright extrusion follow exactly from its profile; other solids are
+ * sampled. */
 static bool bounds_sample_swept(const vs_node *n, const vs_affine *a, double tolerance, vs_bounds *b, vs_error *e) {
   vs_fineness f = { tolerance, 0 };
   vs_swept plan;
@@ -127,8 +127,8 @@ static bool bounds_sample_swept(const vs_node *n, const vs_affine *a, double tol
   vs_bounds straight = vs_bounds_empty();
   bounds_add_sections(&straight, a, &plan, plan.profile_count ? bounds_swept_circle(n) : 0);
   vs_swept_free(&plan);
-  /* A solid whose walls lean inwards stays within the extrusion with vertical walls, even if it intersects itself. The
-   * bounds are therefore those of that extrusion. */
+  /* An extrusion with walls that lean inwards gets the bounds of the extrusion with vertical walls, which contains
+   * it. */
   if (n->kind == VS_EXTRUDE && VS_AS(extrude, n)->taper != 0) {
     vs_bounds leaning = vs_bounds_empty();
     if (!bounds_sample_facets(n, a, tolerance, &leaning, e)) return false;
@@ -166,8 +166,7 @@ static bool bounds_sample_region(const vs_node *n, const vs_affine *a, double to
   return true;
 }
 
-/* A swept solid with a twist costs much time to sample, so its tolerance is coarser. Meshes of shapes that are curved
- * in two directions grow with the inverse of the tolerance. */
+/* A swept solid with a twist costs much time to sample, so its tolerance is coarser. */
 static const bounds_sampling swept_sampling = { bounds_sample_swept, 4, 0x1p-10 },
                              layer_sampling = { bounds_sample_facets, 1, 0x1p-4 },
                              facets_sampling = { bounds_sample_facets, 8, 0x1p-6 },
@@ -196,8 +195,8 @@ static bool bounds_add_spline(vs_bounds *b, const vs_affine *a, const vs_node *n
   return bounds_add_samples(b, &curve_sampling, n, a, &knots, e);
 }
 
-/* Enlarges b by the bounds of a leaf n mapped by a. children: bounds of its children in their own coordinates, needed
- * for swept solids. Sets *leaf to false if n is no leaf. Returns true in that case; returns false on failure. */
+/* Enlarges b by the bounds of a leaf n mapped by a. children: bounds of its children, needed for swept solids. *leaf:
+ * false if n is no leaf. Returns false on failure. */
 static bool bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds *children, vs_bounds *b, bool *leaf,
                         vs_error *e) {
   *leaf = true;
@@ -243,7 +242,7 @@ static bool bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds *c
     case VS_REGION:
 #include "model/cases/passed_cases.def"
       break;
-    case VS_HULL: /* adds the hull's points; if the hull also has children, their bounds are added elsewhere */
+    case VS_HULL: /* adds the hull's own points; the bounds of its children are added elsewhere */
       if (n->child_count) break;
       vs_reach_points(b, a, VS_AS(hull, n)->points->at, VS_AS(hull, n)->points->count);
       return true;
@@ -281,8 +280,8 @@ static const vs_bounds *bounds_memo_known(const vs_bounds_memo *m, const vs_node
   return place ? &m->at[*place] : NULL;
 }
 
-/* n is a section or projection, and b contains the bounds of its children. Reduces b to the bounds of n: for a
- * projection, to the bounds projected onto the plane; for a section, to the part of these in b. */
+/* n is a section or projection, and b contains the bounds of its children. Reduces b to the bounds of n: the box
+ * projected onto the plane, or the part of the plane in the box. */
 static void bounds_on_plane(vs_bounds *b, const vs_node *n) {
   vs_bounds solid = *b, shadow = vs_bounds_empty();
   vs_vec3 at = n->kind == VS_SECTION ? VS_AS(section, n)->point : VS_AS(project, n)->point;
@@ -297,8 +296,8 @@ static void bounds_on_plane(vs_bounds *b, const vs_node *n) {
   if (n->kind == VS_SECTION) vs_bounds_meet(b, &solid);
 }
 
-/* Returns true for a leaf with a single parent. The bounds of such a leaf are computed when the parent needs them,
- * because storing a million of them would take more time. */
+/* Returns true for a leaf with a single parent. Its bounds are computed when the parent needs them, because this is
+ * faster than storing them. */
 static bool bounds_is_lone_leaf(const vs_node *n) { return n->child_count == 0 && n->refs == 1; }
 
 /* Sets *b to the bounds of node n in its own coordinates if n is one of the commonest primitives. Returns false for
@@ -360,8 +359,8 @@ static bool bounds_is_axial(const vs_affine *a) { /* returns true if a maps axis
   return true;
 }
 
-static bool bounds_is_swept(const vs_node *n) { /* returns true if n is of a kind whose bounds cost so much to compute
-                                                 * that a placed node uses its mapped box instead */
+static bool bounds_is_swept(const vs_node *n) { /* returns true if the bounds of n cost so much to compute that a
+                                                 * placement of n uses its mapped box instead */
   if (n->kind == VS_EXTRUDE && n->child_count == 1) {
     const vs_node *profile = n->children[0].node;
     while (profile->kind == VS_REGION && profile->child_count == 1) profile = profile->children[0].node;
@@ -375,9 +374,8 @@ static bool bounds_is_set(const vs_node *n) {
   return vs_node_is_set(n) || n->kind == VS_REGION || n->kind == VS_JOIN;
 }
 
-/* Limits for computing the bounds of a set under a rotation part by part, so that they do not depend on whether the set
- * or each part is rotated. TURNED_DEEP: depth of sets; TURNED_EACH: steps for one set; TURNED_MOST: steps for all sets
- * of a memo. *done: false if a limit is exceeded. All nodes of the set are in the memo. */
+/* Limits for computing the bounds of a rotated set part by part. TURNED_DEEP: depth of sets; TURNED_EACH: steps for one
+ * set; TURNED_MOST: steps for all sets of a memo. *done: false if a limit is exceeded. */
 enum { TURNED_DEEP = 32, TURNED_EACH = 2048, TURNED_MOST = 1 << 20 };
 static bool bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affine *map, vs_bounds *out, bool *done,
                           vs_error *e) {
@@ -423,15 +421,15 @@ static bool bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affine *
   return true;
 }
 
-/* Sets *b to the bounds of node n. Its children are in the memo, or are leaves with a single parent. children: bounds
- * of all its children together. Returns false on failure. */
+/* Sets *b to the bounds of node n, whose children's bounds are known. children: bounds of all its children together.
+ * Returns false on failure. */
 static bool bounds_of(vs_bounds_memo *m, const vs_node *n, vs_bounds children, vs_bounds *b, vs_error *e) {
   vs_affine placed = vs_affine_identity();
   vs_bounds child;
   bool leaf;
   *b = vs_bounds_empty();
-  if (n->kind == VS_TRANSFORM) { /* A placed primitive has a formula. Only a few placements around each other are
-                                  * followed, because a long sequence would take quadratic time. */
+  if (n->kind == VS_TRANSFORM) { /* A placed primitive has a formula. Only a few nested placements are followed, because
+                                  * a long sequence would take quadratic time. */
     const vs_node *below = n;
     for (int steps = 0; steps < 16 && (below->kind == VS_TRANSFORM || vs_node_is_wrapper(below)); steps++) {
       if (below->kind == VS_TRANSFORM) placed = vs_affine_multiply(&placed, &VS_AS(transform, below)->matrix);
@@ -477,8 +475,8 @@ typedef struct { vs_ref ref; uint32_t next; vs_bounds children; /* children: bou
 
 bool vs_bounds_memo_get(vs_bounds_memo *m, const vs_node *n, vs_bounds *out, vs_error *e) {
   vs_store *s = m->places.store;
-  if (n->child_count == 0 && bounds_plain(n, out)) return true; /* the formula is faster than a search in the memo, so
-                                                                 * it is tried first */
+  if (n->child_count == 0 && bounds_plain(n, out)) return true; /* the formula of a common primitive is faster than a
+                                                                 * search in the memo, so it is tried first */
   const vs_bounds *known = bounds_memo_known(m, n);
   if (known) {
     *out = *known;

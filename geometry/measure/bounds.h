@@ -6,12 +6,11 @@
 #include "model/node.h"
 #include "model/store/nodemap.h"
 
-/* Sets *out to the bounds of the node in its own coordinates. They are exact for primitives and placed primitives, and
- * for sets of these under rotations. For very large sets they may be larger than necessary. For sweeps and splines they
- * are the bounds of fine samples. Does not recurse; visits each shared node once. */
+/* Sets *out to the bounds of the node in its own coordinates. They are exact for primitives and placed primitives. For
+ * sweeps and splines they are the bounds of fine samples; for very large sets they may be larger than necessary. */
 bool vs_node_bounds(const vs_node *n, vs_bounds *out, vs_error *e);
-/* A memo: it stores the bounds of many nodes of one model, so that later calls need not compute them. */
-/* initial value of an empty memo: { .places.store = s } */
+/* A memo: it stores the bounds of many nodes of one model, so that later calls need not compute them. Initial value: {
+ * .places.store = s } */
 typedef struct { vs_nodemap places; vs_bounds *at; size_t count, room, turned; } vs_bounds_memo;
 bool vs_bounds_memo_get(vs_bounds_memo *m, const vs_node *n, vs_bounds *out, vs_error *e);
 void vs_bounds_memo_free(vs_bounds_memo *m);

@@ -13,8 +13,8 @@
  * primitives of which one is round; ELSEWHERE: at all other edges. EXACT: allowed deviation from a plane or cylinder,
  * as a fraction of the mesh's size. */
 static const double WITHIN = .5236, BETWEEN = .21, ELSEWHERE = 1e-4, EXACT = 1e-6;
-/* FLAT: greatest angle of a fold between coplanar triangles, in radians. UNEQUAL: two facets are divided if one is this
- * many times as wide as the other. */
+/* FLAT: greatest angle in radians between triangles that count as coplanar. UNEQUAL: a face is divided between two
+ * facets if one is this many times as wide as the other. */
 static const double FLAT = 1e-3, UNEQUAL = 2;
 static const double PI = 3.14159265358979323846;
 
@@ -70,8 +70,8 @@ static bool is_plane(const face_triangles *f, const vs_mesh_face *face) {
   return true;
 }
 
-/* Sets *axis to the direction of the axis of a cylinder: perpendicular to the first triangle's normal and to the normal
- * that differs most from it. Returns false if some normal is not perpendicular to the axis. */
+/* Sets *axis to the axis direction of a possible cylinder: perpendicular to the first triangle's normal and to the
+ * normal that differs most from it. Returns false if another normal is not perpendicular to this direction. */
 static bool axis_of(const face_triangles *f, vs_vec3 *axis) {
   vs_vec3 n = vs_v3_unit(area_vector(f->s, f->list[0]));
   double most = 0;
@@ -88,7 +88,8 @@ static bool axis_of(const face_triangles *f, vs_vec3 *axis) {
   return true;
 }
 
-/* Finds the circle through all corners of the triangles, as seen along the axis. Returns false if there is none. */
+/* Finds the circle through all corners of the triangles, as seen along the axis. Returns false if the corners lie on no
+ * circle. */
 static bool circle_of(const face_triangles *f, vs_vec3 axis, vs_vec3 *center, double *radius) {
   vs_vec3 a = vs_mesh_edges_place(f->s, f->list[0], 0), x, y;
   x = vs_v3_unit(vs_v3_cross(axis, fabs(axis.x) < .9 ? vs_v3(1, 0, 0) : vs_v3(0, 1, 0)));
@@ -184,8 +185,8 @@ static int by_faces(const void *p, const void *q) {
   return a->edge < b->edge ? -1 : a->edge > b->edge;
 }
 
-/* Returns an edge of the list at vertex v that is not in a chain yet, or NULL. *uses: number of the list's edges at
- * v. */
+/* Returns an edge of the list at vertex v that is not in a chain (row of edges) yet, or NULL. *uses: number of the
+ * list's edges at v. */
 static between *next_at(const vs_mesh_edges *s, between *list, size_t n, uint32_t v, size_t *uses) {
   between *found = NULL;
   *uses = 0;
@@ -300,8 +301,8 @@ static bool widths(division *d) {
   return ok;
 }
 
-/* Returns true if the triangles beside edge e, which is not sharp, belong to one face. fine: if true, facets of unequal
- * widths belong to different faces. */
+/* Returns true if the two triangles beside edge e belong to one face. fine: true if facets of unequal widths belong to
+ * different faces. */
 static bool joined(const division *d, uint32_t e, bool fine) {
   uint32_t t = d->s->edges[e].side[0], u = d->s->edges[e].side[1];
   if (is_flat(d->s, e)) return true;
@@ -327,8 +328,8 @@ static bool divide(division *d, bool fine, vs_mesh_faces *out) {
   return ok && describe_all(s, out);
 }
 
-/* Replaces each face of out that is neither plane nor round by the faces of `fine` that it consists of, if each of
- * these is plane or round. */
+/* Divides each face of out that is neither plane nor round into the smaller faces of `fine`, if each of the smaller
+ * ones is plane or round. */
 static bool refine(const vs_mesh_edges *s, const vs_mesh_faces *fine, vs_mesh_faces *out) {
   size_t n = s->m->triangle_count;
   bool *better = NULL, ok = VS_FRESH(better, out->face_count + 1);

@@ -15,7 +15,7 @@ typedef struct {
   vs_vec3 at;        /* for a cylinder: the point of its axis nearest to the face's centroid; for other faces: the
                       * centroid */
   double radius;     /* radius of a cylinder; negative if the material lies outside of it */
-  uint32_t first;    /* index of the first of the face's triangles */
+  uint32_t first;    /* index, in the mesh, of the first of the face's triangles */
 } vs_mesh_face;
 
 /* An edge between two faces: a chain of mesh edges that follow each other. */
@@ -37,8 +37,7 @@ typedef struct {
 } vs_mesh_faces;
 
 /* Finds the faces and edges of a closed mesh. leaf[t]: number of the primitive from which triangle t came; round[t]:
- * true if this primitive is round. Triangles of one round primitive that fold by at most 30 degrees are in one face; so
- * are coplanar triangles. Returns false when memory is out. The caller frees out in either case. */
+ * true if this primitive is round. Returns false when memory is out. The caller frees out in either case. */
 bool vs_mesh_faces_find(const vs_mesh_edges *s, const uint32_t *leaf, const bool *round, vs_mesh_faces *out);
 void vs_mesh_faces_free(vs_mesh_faces *f);
 

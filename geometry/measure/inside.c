@@ -29,8 +29,8 @@
 typedef struct {
   const vs_node *node;
   vs_bounds bounds;
-  vs_affine inverse;  /* for a placement: map into the child's coordinates; for a solid with an axis: map into a frame
-                       * whose Z axis is that axis */
+  vs_affine inverse;  /* map into the child's coordinates if the node is a placement; for a solid with an axis, map into
+                       * a frame whose Z axis is that axis */
   double height;      /* for a solid with an axis: length of this axis */
   size_t *children;   /* children[i]: index of the part that was prepared for child i */
   vs_swept *plan;
@@ -215,12 +215,12 @@ static bool inside_prepare(vs_inside_part *part, const vs_nodemap *places, doubl
   switch ((vs_kind)n->kind) {
     case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
     case VS_EMPTY: case VS_GHOST: case VS_SLICE: case VS_DEFORM: return true;
-    /* A curve or region, which occurs as a profile, has no volume and so contains no point. */
+    /* A curve or region, which may be the profile of a solid, has no volume and contains no point. */
     case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: return true;
 #include "model/cases/shape_cases.def"
       return inside_prepare_axis(part);
     case VS_EXTRUDE: case VS_SWEEP:
-      /* An extrusion with inclined walls is tested by its mesh, which is exact because its walls are planar. */
+      /* An extrusion with inclined walls has planar walls, so the test with its mesh is exact. */
       if (n->kind == VS_EXTRUDE && VS_AS(extrude, n)->taper != 0) return inside_prepare_facets(part, tolerance, e);
       return n->class_ != VS_SOLID || inside_prepare_swept(part, tolerance, e);
     case VS_THICKEN:
@@ -336,7 +336,7 @@ bool vs_inside_test(vs_inside *v, vs_vec3 p) {
       part = x->children[0];
       continue;
     }
-    for (;;) { /* passes the answer up from node to parent, until a parent needs the answer of another child */
+    for (;;) { /* passes the answer up from a node to its parent, until a parent needs the answer of another child */
       if (!depth) return answer;
       vs_inside_level *top = &v->stack[depth - 1];
       const vs_inside_part *above = &v->parts[top->part];

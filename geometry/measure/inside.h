@@ -11,12 +11,12 @@ bool vs_node_contains(const vs_node *n, vs_vec3 p, bool *inside, vs_error *e);
  * memory. Only one thread at a time may test. */
 typedef struct vs_inside vs_inside;
 vs_inside *vs_inside_new(const vs_node *n, vs_error *e);
-/* Prepares a node as vs_inside_new does, so that formulas differ from the solid by at most the tolerance. */
+/* Prepares node n as vs_inside_new does. The sampled shapes in it differ from the solid by at most the tolerance. */
 vs_inside *vs_inside_within(const vs_node *n, double tolerance, vs_error *e);
 bool vs_inside_test(vs_inside *v, vs_vec3 p);
 void vs_inside_free(vs_inside *v);
-/* A cache of prepared nodes, for callers that test the same few thousand nodes in any order, as vs_node_contains does.
- * It takes at most some 50 MB, and holds a reference to each of its nodes. *cache is NULL at the first call. */
+/* A cache of prepared nodes, for callers that test a few thousand nodes in any order. It takes at most some 50 MB, and
+ * holds a reference to each of its nodes. */
 typedef struct vs_inside_cache vs_inside_cache;
 bool vs_inside_cached(vs_inside_cache **cache, const vs_node *n, vs_vec3 p, bool *inside, vs_error *e);
 void vs_inside_cache_free(vs_inside_cache *cache);

@@ -144,8 +144,7 @@ static vs_vec3 nearest(const facet *f, vs_vec3 p, const vs_vec3 **normal) {
   return vs_v3_add(a, vs_v3_add(vs_v3_scale(ab, vb / sum), vs_v3_scale(ac, vc / sum)));
 }
 
-/* Returns the distance of the number `at` from the interval from low to high; 0 if it lies inside. Does without fmax,
- * which would be a function call. */
+/* Returns the distance of the number `at` from the interval from low to high; 0 if it lies inside. */
 static inline double outside(double low, double high, double at) {
   double below = low - at, above = at - high, off = below > above ? below : above;
   return off > 0 ? off : 0;
@@ -161,8 +160,8 @@ double vs_mesh_distance_at(const vs_mesh_distance *d, vs_vec3 p, vs_vec3 *slope)
   struct {
     uint32_t box;
     double away;
-  } stack[DEPTH]; /* The stack has enough entries: the tree has at most as many levels as the number of facets has bits,
-                   * and a traversal needs one entry for each level. */
+  } stack[DEPTH]; /* DEPTH is enough: the traversal needs one entry for each level of the tree, and the tree has at most
+                   * as many levels as the number of facets has bits. */
   int todo = 0;
   double best = INFINITY;
   vs_vec3 at = p, normal = { 0, 0, 1 };

@@ -8,8 +8,8 @@
  * show which side is inside (J. Baerentzen, H. Aanaes, 2005). */
 typedef struct vs_mesh_distance vs_mesh_distance;
 
-/* Prepares mesh m for queries, and copies the data it needs. Facets with a common point must have one index for it.
- * Returns NULL when memory is out. */
+/* Prepares mesh m for queries of distances, and copies its data. Corners of facets at the same place must have one
+ * index. Returns NULL when memory is out. */
 vs_mesh_distance *vs_mesh_distance_new(const vs_mesh *m);
 void vs_mesh_distance_free(vs_mesh_distance *d); /* frees d, which may be NULL */
 /* Returns the distance of p from the mesh, negative inside, or 0 if the mesh has no triangle. *slope: the gradient of

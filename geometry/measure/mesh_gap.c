@@ -12,15 +12,15 @@
 #include "model/assert.h"
 #include "model/store/array.h"
 
-enum { LEAF = 2, PAIRS = 192, FACES_MOST = 400 /* LEAF: most triangles in a leaf. PAIRS: entries of the stack of a
-                                                * descent, which needs one for each level of both trees. FACES_MOST:
-                                                * triangles of a mesh up to which planes of faces are searched. */ };
+enum { LEAF = 2, PAIRS = 192, FACES_MOST = 400 /* LEAF: most triangles in a leaf of the tree. PAIRS: size of the stack
+                                                * of pairs of boxes. FACES_MOST: for a mesh with more triangles, no
+                                                * plane of a face is tried as a separating plane. */ };
 
 typedef struct { vs_vec3 at[3], normal; } facet;
 typedef struct {
   vs_bounds bounds;
-  uint32_t first, count; /* first, count: range of facets in a leaf; count 0: no leaf, the children are first and
-                          * first + 1 */
+  uint32_t first, count; /* first, count: range of facets in a leaf of the tree; count 0: the node is no leaf, and its
+                          * children have the indices first and first + 1 */
 } box;
 
 struct vs_gap_tree {
@@ -48,8 +48,8 @@ static double middle(const facet *f, int axis) {
   return along(f->at[0], axis) + along(f->at[1], axis) + along(f->at[2], axis);
 }
 
-/* Moves facets below the mean along the axis to the front. Returns their number, or half of all if the mean does not
- * divide them. */
+/* Moves facets below the mean along the axis to the front of the array. Returns their number, or half of all if the
+ * mean does not divide the facets. */
 static uint32_t divide(facet *f, uint32_t n, int axis) {
   double sum = 0;
   uint32_t low = 0;
@@ -118,8 +118,8 @@ static void take(nearest *n, vs_vec3 p, vs_vec3 q, bool swapped) {
 
 static double unit(double t) { return t < 0 ? 0 : t > 1 ? 1 : t; }
 
-/* Takes the nearest points of the segments from p to p + u and from q to q + v (C. Ericson, Real-Time Collision
- * Detection, 5.1.9). */
+/* Updates the nearest pair of points n with the nearest points of two segments: from p to p + u, and from q to q + v
+ * (C. Ericson, Real-Time Collision Detection, 5.1.9). */
 static void take_edges(nearest *n, vs_vec3 p, vs_vec3 u, vs_vec3 q, vs_vec3 v) {
   vs_vec3 w = vs_v3_sub(p, q);
   double a = vs_v3_dot(u, u), e = vs_v3_dot(v, v), b = vs_v3_dot(u, v), c = vs_v3_dot(u, w), f = vs_v3_dot(v, w);
@@ -129,7 +129,8 @@ static void take_edges(nearest *n, vs_vec3 p, vs_vec3 u, vs_vec3 q, vs_vec3 v) {
   take(n, vs_v3_add(p, vs_v3_scale(u, s)), vs_v3_add(q, vs_v3_scale(v, t)), false);
 }
 
-/* Takes the foot of p on the plane of facet f, if it lies in the facet. Edges and corners are the edges' concern. */
+/* Updates the nearest pair of points n with p and its projection onto the plane of facet f, if this lies in the
+ * facet. */
 static void take_foot(nearest *n, const facet *f, vs_vec3 p, bool swapped) {
   double h = vs_v3_dot(vs_v3_sub(p, f->at[0]), f->normal);
   if (!(h * h < n->square)) return;
@@ -153,8 +154,8 @@ static void take_facets(nearest *n, const facet *a, const facet *b) {
 
 typedef struct { double area; vs_vec3 moment; double touching; } contact;
 
-/* Clips the polygon at[0 .. n - 1] to the left of the edge from p to q, seen against the normal. Returns the number of
- * corners, at most one more than n. */
+/* Clips the polygon at[0 .. n - 1] by the line from p to q, and keeps the part on its left, as seen against the normal.
+ * Returns the number of corners, at most n + 1. */
 static int clip(vs_vec3 *at, int n, vs_vec3 p, vs_vec3 q, vs_vec3 normal) {
   vs_vec3 out[10], inwards = vs_v3_cross(normal, vs_v3_sub(q, p));
   int m = 0;
@@ -170,7 +171,7 @@ static int clip(vs_vec3 *at, int n, vs_vec3 p, vs_vec3 q, vs_vec3 normal) {
   return m;
 }
 
-/* Adds the area in which the facets lie on each other. */
+/* Adds the area in which the facets a and b lie on each other to c. */
 static void touch(contact *c, const facet *a, const facet *b) {
   if (vs_v3_dot(a->normal, b->normal) > -1 + 1e-9) return;
   for (int k = 0; k < 3; k++)
@@ -189,8 +190,8 @@ static void touch(contact *c, const facet *a, const facet *b) {
 
 typedef struct { uint32_t a, b; } both;
 
-/* Adds the pairs of children of one of two boxes: of the longer one, if it has children. Returns the new number of
- * pairs. */
+/* Pushes two pairs of boxes onto the stack: the children of the longer box of pair p, each with the other box of p.
+ * Returns the new number of pairs. */
 static int open_pair(const vs_gap_tree *a, const vs_gap_tree *b, both p, both *stack, int todo) {
   const box *x = &a->boxes[p.a], *y = &b->boxes[p.b];
   bool first = !x->count && (y->count || vs_bounds_diagonal(&x->bounds) >= vs_bounds_diagonal(&y->bounds));
@@ -200,12 +201,14 @@ static int open_pair(const vs_gap_tree *a, const vs_gap_tree *b, both p, both *s
   if (boxes_apart(&a->boxes[stack[todo - 1].a].bounds, &b->boxes[stack[todo - 1].b].bounds) >
       boxes_apart(&a->boxes[stack[todo - 2].a].bounds, &b->boxes[stack[todo - 2].b].bounds)) {
     both t = stack[todo - 1];
-    stack[todo - 1] = stack[todo - 2], stack[todo - 2] = t; /* the nearer pair is on top, and is visited first */
+    stack[todo - 1] = stack[todo - 2], stack[todo - 2] = t; /* the pair of boxes at the smaller distance is on top of
+                                                             * the stack, and is visited first */
   }
   return todo;
 }
 
-/* Visits pairs of facets whose boxes are nearer than n->square, or those that touch if c is not NULL. */
+/* Visits the pairs of facets whose boxes are nearer than the best distance so far; if c is not NULL, the pairs that
+ * touch. */
 static void descend(const vs_gap_tree *a, const vs_gap_tree *b, nearest *n, contact *c) {
   both stack[PAIRS] = { { 0, 0 } };
   for (int todo = 1; todo;) {
@@ -242,7 +245,8 @@ bool vs_mesh_gap_find(const vs_gap_tree *a, const vs_gap_tree *b, double limit, 
   return true;
 }
 
-/* Returns true if a plane of a facet of a has all of b in front of it. All of a is behind it, too. */
+/* Returns true if the plane of some facet of a separates the two meshes: all of b in front of it, and all of a behind
+ * it. */
 static bool divides(const vs_gap_tree *a, const vs_gap_tree *b, double slack) {
   for (size_t i = 0; i < a->count; i++) {
     const facet *f = &a->facets[i];

@@ -9,18 +9,19 @@ typedef struct vs_gap_tree vs_gap_tree;
 
 typedef struct {
   double distance;   /* smallest distance between the meshes, in model units; 0 if the area is above 0 */
-  vs_vec3 at[2];     /* points of the two meshes that have this distance; the centre if the area is above 0 */
+  vs_vec3 at[2];     /* points of the two meshes at the smallest distance; the centre of the touching area if there is
+                      * one */
   double area;       /* Area in which faces of the two meshes lie on each other and look in opposite directions; 0 if
                       * the meshes touch only at edges or points. */
-  vs_vec3 centre;    /* centroid of this area; undefined if the area is 0 */
+  vs_vec3 centre;    /* centroid of the touching area; undefined if `area` is 0 */
 } vs_mesh_gap;
 
-/* Prepares mesh m, and copies the data it needs. Returns NULL when memory is out. */
+/* Prepares mesh m for the search for gaps, and copies its data. Returns NULL when memory is out. */
 vs_gap_tree *vs_gap_tree_new(const vs_mesh *m);
 void vs_gap_tree_free(vs_gap_tree *t); /* frees t, which may be NULL */
 
-/* Sets *out to the gap between two meshes that do not intersect each other. Faces whose distance is at most `touching`
- * touch. Returns false if the distance is above `limit`. */
+/* Sets *out to the gap between two meshes that do not intersect each other. Faces at a distance of at most `touching`
+ * count as touching. Returns false if the distance is above `limit`. */
 bool vs_mesh_gap_find(const vs_gap_tree *a, const vs_gap_tree *b, double limit, double touching, vs_mesh_gap *out);
 /* Returns true if a coordinate plane, or the plane of a face of one mesh, separates the two meshes; each may extend
  * beyond the plane by `slack`. Returns false without a search if the meshes have many triangles. */

@@ -17,8 +17,8 @@ void vs_mesh_parts_free(vs_mesh_parts *p) {
 typedef struct {
   double volume;
   vs_bounds box;
-  uint32_t joins; /* number of the shell that bounds the same part from outside, if this shell is the wall of a cavity;
-                   * else its own number */
+  uint32_t joins; /* number of the outer shell if this shell (connected set of triangles) is the wall of a cavity; else
+                   * its own number */
   uint32_t first; /* index of the shell's first triangle */
 } shell;
 
@@ -63,7 +63,7 @@ static void enclose(const vs_mesh *m, const uint32_t *of, shell *s, uint32_t cou
   }
 }
 
-/* Numbers the parts in the order of their first triangles. */
+/* Numbers the parts of the mesh in the order of their first triangles. */
 static bool number(vs_mesh_parts *p, size_t triangles, const shell *s, uint32_t shells) {
   uint32_t *name = NULL;
   if (!VS_FRESH(name, shells + 1)) return false;

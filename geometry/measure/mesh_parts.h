@@ -9,8 +9,8 @@ typedef struct {
   uint32_t count; /* number of parts */
 } vs_mesh_parts;
 
-/* Divides a closed mesh into parts. Triangles that have a common point, compared by coordinates, are in one part. The
- * wall of a cavity is in the part around it. Returns false when memory is out. The caller frees out in either case. */
+/* Divides a closed mesh into parts. Triangles with a common point are in one part, and the wall of a cavity is in the
+ * part around it. Returns false when memory is out. The caller frees out in either case. */
 bool vs_mesh_parts_find(const vs_mesh *m, vs_mesh_parts *out);
 void vs_mesh_parts_free(vs_mesh_parts *p);
 /* Copies the triangles of one part, with the vertices that they use, to `to`, which must be empty. Returns false when

@@ -109,7 +109,8 @@ static bool curve(const vs_node *n, vs_affine map, pieces *out, bool *known) {
     ok = leaf(n->children[i].node, map, out, known);
     if (!ok || !*known || !first || out->count == first) continue;
     vs_vec2 start = piece_start(&out->at[first]), end = piece_end(&out->at[out->count - 1]);
-    if (i == 1) { /* in a join, the first curve may have to be reversed, so that its end is at the second curve */
+    if (i == 1) { /* in a join of curves, the first curve may have to be reversed, so that its end is at the second
+                   * curve */
       vs_vec2 head = piece_start(&out->at[0]), tail = piece_end(&out->at[first - 1]);
       if (fmin(apart(head, start), apart(head, end)) < fmin(apart(tail, start), apart(tail, end))) {
         pieces before = { out->at, first, first };
@@ -194,7 +195,8 @@ bool vs_region_moments(const vs_node *region, const vs_outline *o, double *area,
     free(p.at);
     size_t best = o->count;
     double least = INFINITY;
-    for (size_t l = 0; l < o->count; l++) { /* finds the loop of the sampled outline that was made from this curve */
+    for (size_t l = 0; l < o->count; l++) { /* finds the loop of the region's sampled outline that was made from this
+                                             * curve */
       double size = sqrt(m.area),
              off = fabs(loops[l].area - m.area) * size + fabs(loops[l].x - m.x) + fabs(loops[l].y - m.y);
       if (!taken[l] && off < least) least = off, best = l;

@@ -4,9 +4,9 @@
 
 #include "geometry/plane/outline.h"
 
-/* Computes the exact area and centroid of a region, or of the inside of a closed curve. Its borders are polylines,
- * circles, arcs or joins of these; otherwise sets *known to false. outline: the region's sampled outline, which shows
- * which loops are holes. Returns false on failure. */
+/* Computes the exact area and centroid of a region or closed curve. Sets *known to false if its borders are not
+ * polylines, circles, arcs or joins of these. outline: the sampled outline, which shows which loops are holes. Returns
+ * false on failure. */
 bool vs_region_moments(const vs_node *region, const vs_outline *outline, double *area, vs_vec3 *centroid, bool *known,
                        vs_error *e);
 

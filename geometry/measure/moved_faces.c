@@ -73,8 +73,7 @@ static vs_vec3 shortest(const vs_vec3 *n, const double *d, size_t count, double 
 }
 
 /* Returns true if the move has reversed no edge between two faces and turned over no triangle of a curved face.
- * Otherwise sets *at to the position. Overlaps of triangles within a plane face are found elsewhere:
- * solids/overlaps.h. */
+ * Otherwise sets *at to the place of the fault. */
 static bool upright(const vs_mesh_edges *s, const vs_mesh_faces *faces, const vs_mesh *out, vs_vec3 *at) {
   const vs_vec3 *old = s->m->vertices, *new = out->vertices;
   for (size_t e = 0; e < s->edge_count; e++) {

@@ -19,9 +19,8 @@ typedef enum {
   VS_MOVED_TURNED  /* the face at *at has turned over, because it was moved too far */
 } vs_moved_outcome;
 
-/* Moves faces: sets the vertices of `out`, a copy of the mesh of s, to the intersections of the moved faces. moves[i]:
- * move of face i. Faces may then intersect elsewhere, which solids/overlaps.h finds. If the result is a failure, sets
- * *at to its position. */
+/* Moves the faces of a mesh: sets the vertices of `out`, a copy of it, to the intersections of the moved faces.
+ * moves[i]: move of face i. On a failure, sets *at to its place. */
 vs_moved_outcome vs_faces_move(const vs_mesh_edges *s, const vs_mesh_faces *faces, const vs_face_move *moves,
                                vs_mesh *out, vs_vec3 *at);
 

@@ -105,7 +105,7 @@ static bool measure_curves(const vs_node *n, vs_measure *m, vs_error *e) {
   return ok;
 }
 
-/* Sets *straight to true if the curve is one straight piece; *along is then the vector from its start to its end. */
+/* Sets *straight to true if the curve is one straight line; *along is then the vector from its start to its end. */
 static bool measure_straight(const vs_node *curve, vs_vec3 *along, bool *straight, vs_error *e) {
   vs_affine identity = vs_affine_identity();
   vs_path path = { 0 };
@@ -118,9 +118,7 @@ static bool measure_straight(const vs_node *curve, vs_vec3 *along, bool *straigh
   return ok;
 }
 
-/* Measures an extrusion along a vector. Sets *known to true if there is a formula. A twist does not change the volume
- * (Cavalieri's principle), and the area of a section is proportional to the square of its scale. Returns false on
- * failure. */
+/* Measures an extrusion along a vector. Sets *known to true if there is a formula. Returns false on failure. */
 static bool measure_extrusion(const vs_node *n, vs_measure *m, bool *known, vs_error *e) {
   const struct vs_extrude *x = VS_AS(extrude, n);
   const vs_node *profile = n->children[0].node;
@@ -177,9 +175,8 @@ static bool measure_way(const vs_node *curve, vs_way *way, vs_error *e) {
   return ok;
 }
 
-/* vs_sweep_measure uses Pappus's theorem, which holds for every smooth path and mitred corner. The volume is the
- * profile's area times the path's length, with the square of the scale along the path. The wall's area is the border's
- * length times the path's length, if the border's centroid is also on the path. */
+/* vs_sweep_measure uses Pappus's theorem: volume = area of the profile times length of the path, if the profile's
+ * centroid is on the path. */
 bool vs_sweep_measure(const vs_node *n, vs_measure *m, vs_error *e) {
   bool bar = n->kind == VS_THICKEN;
   const vs_node *profile = n->children[0].node;
@@ -225,15 +222,13 @@ bool vs_sweep_measure(const vs_node *n, vs_measure *m, vs_error *e) {
 
 /* ---- the measuring function of each kind ---- */
 
-/* The object to be measured. whole: its node; n: the node that remains without the placements and wrappers around
- * it. */
+/* The object to be measured. whole: its node; n: the node inside all placements and wrappers around it. */
 typedef struct {
   const vs_node *whole, *n;
   vs_affine placed; /* product of all the placements that were removed from around n */
 } measured;
 
-/* A function that measures the node of->n: it sets the members of m, where m->known is true at the call. Returns false
- * on failure. */
+/* A function that measures the node of->n: it sets the members of m. Returns false on failure. */
 typedef bool measure_rule(const measured *of, vs_measure *m, vs_error *e);
 
 static bool measure_zero(const measured *of, vs_measure *m, vs_error *e) {
@@ -252,7 +247,7 @@ static bool measure_endless(const measured *of, vs_measure *m, vs_error *e) {
   return vs_error_set(e, VS_ERROR_MODEL, NULL, "the object has no end and cannot be measured");
 }
 
-/* Converts the measures m from the coordinates of node of->n to those outside of its placements. */
+/* Converts the measures m from the coordinates of the node of->n to those of the whole object, of->whole. */
 static bool measure_place(const measured *of, vs_measure *m) {
   double k;
   m->volume *= fabs(vs_affine_determinant(&of->placed));

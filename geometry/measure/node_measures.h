@@ -7,8 +7,8 @@
 #include "geometry/measure/measure.h"
 #include "model/node.h"
 
-/* Measures node n by formula if there is one: primitives and their placements, curves, regions. Splines and curved
- * outlines are measured by fine samples. Returns false on failure. */
+/* Sets *out to the measures of node n by formula, if there is one. Splines and curved outlines are measured by fine
+ * samples. Returns false on failure. */
 bool vs_node_measure(const vs_node *n, vs_measure *out, vs_error *e);
 /* Measures a sweep or a round bar n by formula, as if it did not overlap itself. Sets out->known to false if there is
  * no formula. Sets no centroid. Returns false on failure. */

@@ -12,7 +12,7 @@
 
 /* ---- moments ---- */
 
-/* Sums over points with weights. */
+/* Weighted sums over the points of a part. */
 typedef struct {
   vs_vec3 origin;
   double measure;
@@ -37,8 +37,8 @@ static vs_vec3 between(const vs_vec3 *p, const double *share, int n) {
   return sum;
 }
 
-/* Adds the integral over a simplex of the given measure with n corners: a segment (n = 2), a triangle (3) or a
- * tetrahedron (4). Each quadrature rule is exact for polynomials of degree 3. */
+/* Adds the integral over a simplex with n corners: a segment (n = 2), a triangle (3) or a tetrahedron (4). measure: its
+ * length, area or volume. Each quadrature rule is exact for polynomials of degree 3. */
 static void add_simplex(sums *s, const vs_vec3 *p, int n, double measure) {
   static const double middle[] = { 2 / 3., -27 / 48., -4 / 5. }, outer[] = { 1 / 6., 25 / 48., 9 / 20. },
                       near[] = { 1, 3 / 5., 1 / 2. };
@@ -78,7 +78,8 @@ static int by_distance(const void *p, const void *q) {
   return da < db ? -1 : da > db;
 }
 
-/* Returns the height of a corner along a direction in which few corners of usual parts are equally high. */
+/* Returns the height of a corner along a fixed oblique direction, along which the corners of usual parts rarely have
+ * equal heights. */
 static double height(vs_vec3 p) { return 0.46 * p.x + 0.405 * p.y + 0.79 * p.z; }
 
 static int by_height(const void *p, const void *q) {
@@ -150,8 +151,8 @@ static vs_vec3 turned(const turn *t, vs_vec3 p) {
   return (vs_vec3){ vs_v3_dot(t->row[0], p), vs_v3_dot(t->row[1], p), vs_v3_dot(t->row[2], p) };
 }
 
-/* Sets the rows of t to a right-handed frame: its first axis points to p, and its first two axes span a plane that
- * contains q. Returns false if p and q lie on one line through the origin. */
+/* Sets the rows of t to a right-handed frame whose first axis points to p and whose first two axes span a plane with q.
+ * Returns false if p and q lie on one line through the origin. */
 static bool frame(vs_vec3 p, vs_vec3 q, turn *t) {
   const vs_vec3 normal = vs_v3_cross(p, q);
   if (!(vs_v3_length(normal) > 1e-6 * vs_v3_length(p) * vs_v3_length(q))) return false;
@@ -170,7 +171,8 @@ static size_t first_at(const vs_part_shape *s, double distance) {
   return low;
 }
 
-/* Searches by height, since all corners of a ball have one distance. The direction of `height` is at most 1.1 long. */
+/* Returns true if a corner of s is within `slack` of p. Searches the corners in the order of their heights (at most 1.1
+ * * slack apart). */
 static bool has_corner(const vs_part_shape *s, vs_vec3 p, double slack) {
   const double wanted = height(p), least = wanted - 1.1 * slack;
   size_t low = 0, high = s->count;
@@ -184,8 +186,8 @@ static bool has_corner(const vs_part_shape *s, vs_vec3 p, double slack) {
   return false;
 }
 
-/* Returns true if a motion moves each corner of part a to a corner of part b, within the slack. The motion moves the
- * frame `from` of a to the frame `to` of b. sign: 1, or -1 to test the mirror image of a. */
+/* Returns true if the motion that moves the frame `from` to the frame `to` moves each corner of part a to a corner of
+ * part b, within the slack. sign: -1 tests the mirror image of a, 1 tests a. */
 static bool corners_fit(const vs_part_shape *a, const vs_part_shape *b, const turn *from, const turn *to, double sign,
                         double slack) {
   for (size_t i = a->count; i-- > 0;) {
@@ -219,12 +221,11 @@ static bool choose_pair(const vs_part_shape *a, double slack, size_t *p, size_t 
   return fewest != SIZE_MAX;
 }
 
-enum { MOTIONS = 4096, FIT, NO_FIT, UNKNOWN }; /* MOTIONS: greatest number of motions that are tried; FIT, NO_FIT,
-                                                * UNKNOWN: results of try_motions */
+enum { MOTIONS = 4096, FIT, NO_FIT, UNKNOWN }; /* MOTIONS: greatest number of motions (rotations of one part) that are
+                                                * tried; FIT, NO_FIT, UNKNOWN: results of try_motions */
 
-/* Tries motions that move the corners of a to those of b. Two corners of a, and a pair of corners of b at equal
- * distances, determine a motion. sign: 1, or -1 to try the mirror image of a. Returns UNKNOWN if there are more than
- * MOTIONS pairs, as on a sphere. */
+/* Tries motions that move the corners of part a to those of part b. sign: -1 tries the mirror image of a, 1 tries a.
+ * Returns FIT, NO_FIT, or UNKNOWN if there are too many motions, as for a sphere. */
 static int try_motions(const vs_part_shape *a, const vs_part_shape *b, double sign, double slack) {
   size_t p = 0, q = 0, tried = 0;
   turn from, to;
@@ -246,7 +247,7 @@ bool vs_part_shapes_equal(const vs_part_shape *a, const vs_part_shape *b, double
   if (a->dimension != b->dimension || !moments_equal(a, b, tolerance)) return false;
   if (a->count != b->count || !a->count) return true;
   const double slack = tolerance * vs_v3_length(a->corners[a->count - 1]);
-  /* Parts that differ only by a move are the most frequent ones; for spheres, a search for turns is slow. */
+  /* tried first: the parts may differ only by a move, without a rotation */
   static const turn none = { { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } };
   if (corners_fit(a, b, &none, &none, 1, slack)) return true;
   return try_motions(a, b, 1, slack) != NO_FIT || try_motions(a, b, -1, slack) != FIT;
@@ -258,8 +259,8 @@ enum { PLANES = 12, EDGES = 12 };
 
 typedef struct { vs_vec3 normal; double area; } face_plane;
 
-/* Adds the area of a triangle to the plane with its normal. Opposite normals count as one plane. Returns the new number
- * of planes. */
+/* Adds the area of a triangle to the plane that has its normal. Opposite normals count as one plane. Returns the new
+ * number of planes. */
 static size_t add_plane(face_plane *planes, size_t count, vs_vec3 normal, double area) {
   for (size_t i = 0; i < count; i++)
     if (fabs(vs_v3_dot(planes[i].normal, normal)) > 1 - 1e-9) return planes[i].area += area, count;
@@ -291,8 +292,8 @@ static void sort_axes(vs_part_box *b) {
       }
 }
 
-/* Computes the box around the mesh with edges along these unit vectors. Keeps it in *b if its volume, or area if the
- * part is flat, is below *least. */
+/* Computes the box around the mesh with edges along the unit vectors `axes`. Stores it in *b if its volume is less than
+ * *least; for a flat part, its area. */
 static void try_box(const vs_mesh *m, const vs_vec3 axes[3], double *least, vs_part_box *b) {
   const double wide = extent(m, axes[0]), deep = extent(m, axes[1]), high = extent(m, axes[2]);
   const double thin = 1e-9 * fmax(fmax(wide, deep), high);

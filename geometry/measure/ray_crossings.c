@@ -57,9 +57,9 @@ bool vs_facet_index_make(vs_facet_index *x) {
   x->starts = vs_zeros(cells + 2, sizeof *x->starts);
   x->triangles = vs_fresh(total + 1, sizeof *x->triangles);
   if (!x->starts || !x->triangles || total >= UINT32_MAX) return false;
-  for (int pass = 0; pass < 2; pass++) { /* The first pass counts the entries of each cell. The second pass enters them,
-                                          * and meanwhile moves starts[c + 1] from the beginning to the end of cell c's
-                                          * entries. */
+  for (int pass = 0; pass < 2; pass++) { /* The first pass counts the triangles of each cell. The second pass lists
+                                          * them, and moves starts[c + 1] from the beginning to the end of cell c's
+                                          * list. */
     for (size_t i = 0; i < n; i++) {
       facet_cells c = facet_span(x, i);
       for (size_t v = c.y0; v <= c.y1; v++)
@@ -73,8 +73,8 @@ bool vs_facet_index_make(vs_facet_index *x) {
   return true;
 }
 
-/* Tests, as seen from above, the horizontal ray from p to +X against the edge from a to b. Returns 1 if it crosses the
- * edge upwards (the edge goes towards +Y), -1 if downwards, 0 if it does not cross it. */
+/* Tests, as seen from above, whether the ray from p towards +X crosses the edge from a to b. Returns 1 if the edge goes
+ * towards +Y there, -1 if it goes towards -Y, 0 if the ray does not cross it. */
 static int facet_crosses(vs_vec3 a, vs_vec3 b, vs_vec3 p) {
   if ((a.y > p.y) == (b.y > p.y)) return 0;
   bool up = b.y > a.y;

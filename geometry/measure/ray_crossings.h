@@ -4,11 +4,12 @@
 
 #include "model/mesh.h"
 
-/* An index of a mesh's triangles: for each cell of a horizontal grid, the triangles above or below the cell. */
+/* An index of a mesh's triangles: for each cell of a horizontal grid, the triangles that are above or below the
+ * cell. */
 typedef struct {
   vs_mesh mesh;       /* the mesh, which belongs to the index and is freed with it */
   vs_bounds bounds;
-  size_t cells;       /* number of cells of the horizontal grid along X, and also along Y */
+  size_t cells;       /* number of cells of the horizontal grid along each of X and Y */
   uint32_t *starts;   /* starts[c]: index, in the list of triangles, of the first entry of cell c; cells * cells + 1
                        * elements */
   uint32_t *triangles;

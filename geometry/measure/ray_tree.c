@@ -20,8 +20,8 @@ bool vs_ray_meets_box(const vs_bounds *b, vs_vec3 from, vs_vec3 direction, doubl
   const double at[3] = { from.x, from.y, from.z }, d[3] = { direction.x, direction.y, direction.z };
   double near = 0;
   for (int i = 0; i < 3; i++) {
-    if (d[i] == 0) { /* the ray is parallel to these two sides of the box, and intersects it only if it starts between
-                      * them or in one of their planes */
+    if (d[i] == 0) { /* the ray is parallel to two sides of the box, and can meet the box only if it starts between
+                      * them */
       if (at[i] < low[i] || at[i] > high[i]) return false;
       continue;
     }
@@ -83,8 +83,8 @@ static vs_bounds bounds_of(const vs_mesh *m, const uint32_t *order, uint32_t cou
   return b;
 }
 
-/* A range of the ordered triangles that is to become a node of the tree. second: true if it is the second half of the
- * node `parent`. */
+/* A range of triangles that is to become a node of the tree. second: true if the range is the second half of the node
+ * `parent`. */
 typedef struct { uint32_t first, count, parent; bool second; } range;
 
 bool vs_ray_tree_make(vs_ray_tree *t, vs_store *store, const vs_mesh *mesh, vs_error *e) {
@@ -104,8 +104,7 @@ bool vs_ray_tree_make(vs_ray_tree *t, vs_store *store, const vs_mesh *mesh, vs_e
     t->nodes[self] = (vs_ray_node){ bounds_of(mesh, t->order + r.first, r.count), r.first, r.count };
     if (r.count <= LEAF) continue;
     uint32_t half = depth + 2 < DEPTH ? part(mesh, t->order + r.first, r.count) : 0;
-    if (!half) continue; /* this node is at the greatest depth that a traversal can handle, so all its triangles remain
-                          * in one leaf */
+    if (!half) continue; /* the node is at the greatest depth that a traversal can handle, so it becomes a leaf */
     t->nodes[self].count = 0;
     stack[depth++] = (range){ r.first + half, r.count - half, self, true };
     stack[depth++] = (range){ r.first, half, self, false };

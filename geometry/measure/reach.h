@@ -6,17 +6,17 @@
 
 #include <stddef.h>
 
-/* Each of these functions enlarges the bounds b by a shape mapped by a: vs_reach_disc by a disc, _oval by an ellipse,
- * _ball by a moving ball, _points by points, and _sides by a box. */
+/* Enlarges the bounds b by a disc of radius r, perpendicular to `normal`, mapped by a. */
 void vs_reach_disc(vs_bounds *b, const vs_affine *a, vs_vec3 center, vs_vec3 normal, double r);
-/* Enlarges b by an ellipse in the XY plane of `frame`, mapped by a. rx, ry: its radii along X and Y. */
+/* Enlarges the bounds b by an ellipse in the XY plane of `frame`, mapped by a. rx, ry: its radii along X and Y. */
 void vs_reach_oval(vs_bounds *b, const vs_affine *a, const vs_affine *frame, vs_vec3 center, double rx, double ry);
-/* Enlarges b by the space of a moving ball of radius r, mapped by a. The ball's centre moves on a horizontal circle of
- * radius `ring` about center. */
+/* Enlarges the bounds b by the space of a moving ball of radius r, mapped by a. The ball's centre moves on a horizontal
+ * circle of radius `ring` about center. */
 void vs_reach_ball(vs_bounds *b, const vs_affine *a, vs_vec3 center, double ring, double r);
+/* Enlarges b by n points mapped by a. */
 void vs_reach_points(vs_bounds *b, const vs_affine *a, const vs_vec3 *at, size_t n);
-/* Enlarges b by a body that extends by `reach` along x, y and z to both sides of the centre mapped by a. */
+/* Enlarges the bounds b by a box around the centre mapped by a, which extends by `reach` to each side. */
 void vs_reach_sides(vs_bounds *b, const vs_affine *a, vs_vec3 center, vs_vec3 reach);
-vs_vec3 vs_reach_row(const vs_affine *a, int i); /* returns row i (0 to 2) of the linear part of a */
+vs_vec3 vs_reach_row(const vs_affine *a, int i); /* returns row i (0 to 2) of the linear part of the affine map a */
 
 #endif

@@ -73,7 +73,7 @@ bool vs_mesh_contour(const vs_mesh *m, vs_vec3 point, vs_vec3 normal, const vs_l
     if (fabs(c.height[i]) <= slack) c.height[i] = 0;
   }
   for (int border = 1; border >= 0; border--) /* the first pass follows contour lines that begin at a border of the
-                                               * mesh, the second pass closed lines */
+                                               * mesh; the second follows closed lines */
     for (size_t i = 0; ok && i < c.edges.edge_count; i++) {
       const vs_mesh_edge *edge = &c.edges.edges[i];
       if (border && edge->side[1] != VS_MESH_NONE) continue;

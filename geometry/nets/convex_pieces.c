@@ -24,8 +24,7 @@ static double turn(vs_vec2 a, vs_vec2 b, vs_vec2 c) {
 /* A corner of a polygon: its point, and the next and the previous corner of the polygon. */
 typedef struct { uint32_t point, next, last; } corner;
 
-/* A side that two polygons share. a, b: the corner at which it begins in the first polygon, and in the second. length:
- * its length. */
+/* A side that two polygons share. a, b: the corners at which the side begins in the first and in the second polygon. */
 typedef struct { uint32_t a, b; double length; } shared_side;
 
 static int by_length(const void *a, const void *b) {
@@ -75,13 +74,13 @@ static void remove_side(const vs_vec2 *at, corner *c, const shared_side *s, doub
    * an and b are at one point, and a and bn at another. */
   if (turn(at[c[al].point], at[c[a].point], at[c[c[bn].next].point]) < -slack) return;
   if (turn(at[c[bl].point], at[c[b].point], at[c[c[an].next].point]) < -slack) return;
-  c[al].next = bn, c[bn].last = al; /* the united polygon no longer contains the corners a and b */
+  c[al].next = bn, c[bn].last = al; /* the corners a and b are no longer in the united polygon */
   c[bl].next = an, c[an].last = bl;
   c[a].next = c[a].last = a, c[b].next = c[b].last = b;
 }
 
-/* Adds the polygon that contains the corner `start` as a piece, and marks its corners as done. The piece begins at the
- * leftmost of the polygon's lowest points. Returns false when memory is out. */
+/* Adds the polygon that contains the corner `start` as a piece, from the leftmost of its lowest points on. Marks its
+ * corners as done. Returns false when memory is out. */
 static bool add_ring(const vs_vec2 *at, corner *c, uint32_t start, bool *done, vs_convex_pieces *out) {
   uint32_t low = start;
   size_t n = 0;
@@ -148,8 +147,8 @@ static double to_line(vs_vec2 p, vs_vec2 a, vs_vec2 b) {
   return l > 0 ? fabs((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)) / l : hypot(p.x - a.x, p.y - a.y);
 }
 
-/* Sets *meet to the point where the lines through two sides of a loop, a b and c d, intersect; it lies beyond b and
- * before c. Returns the distance of this point from the side b c, or infinity if there is no such point. */
+/* Sets *meet to the point where the sides a b and c d of a loop, extended beyond b and before c, intersect. Returns the
+ * distance of this point from the side b c, or infinity if there is no such point. */
 static double beyond(vs_vec2 a, vs_vec2 b, vs_vec2 c, vs_vec2 d, vs_vec2 *meet) {
   double ux = b.x - a.x, uy = b.y - a.y, wx = c.x - d.x, wy = c.y - d.y, k = ux * wy - uy * wx;
   if (!(k < -1e-9 * hypot(ux, uy) * hypot(wx, wy)) && !(k > 1e-9 * hypot(ux, uy) * hypot(wx, wy))) return INFINITY;
@@ -159,9 +158,8 @@ static double beyond(vs_vec2 a, vs_vec2 b, vs_vec2 c, vs_vec2 d, vs_vec2 *meet) 
   return to_line(*meet, b, c);
 }
 
-/* Removes corners of a loop of n corners, which has the material on its left. The new loop contains the old one and
- * deviates from it by at most `most`. used[i]: distance by which the loop has moved outwards at corner i so far.
- * Returns the number of remaining corners. */
+/* Removes corners of a loop of n corners. The new loop contains the old one and deviates from it by at most `most`.
+ * used[i]: distance by which corner i has moved outwards so far. Returns the number of remaining corners. */
 static size_t fewer(vs_vec2 *at, double *used, size_t n, double most) {
   memset(used, 0, n * sizeof *used);
   for (bool again = true; again && n > 4;) {
@@ -247,13 +245,12 @@ size_t vs_convex_sum(const vs_vec2 *a, size_t n, const vs_vec2 *b, size_t m, vs_
 size_t vs_convex_grow(const vs_vec2 *at, size_t n, double d, vs_vec2 *out) {
   static const double step_cos = 0.98078528040323044912, step_sin = 0.19509032201612826785; /* cosine and sine of pi /
                                                                                              * 16, the angle between
-                                                                                             * neighbouring corners
-                                                                                             * where an outline is
-                                                                                             * rounded */
+                                                                                             * neighbouring points of a
+                                                                                             * rounded corner */
   size_t count = 0, first = n;
   vs_vec2 last = { 0, 0 }, next;
-  for (size_t i = 0; i < n; i++) { /* finds the last side with a length other than 0; the loop over the sides begins
-                                    * with its normal */
+  for (size_t i = 0; i < n; i++) { /* finds the last side that is longer than 0; the loop below begins with its
+                                    * normal */
     vs_vec2 p = at[n - 1 - i], q = at[i ? n - i : 0];
     double l = hypot(q.x - p.x, q.y - p.y);
     if (!(l > 0)) continue;

@@ -12,22 +12,20 @@ typedef struct {
   size_t pieces, piece_room;
 } vs_convex_pieces;
 void vs_convex_pieces_free(vs_convex_pieces *c);
-/* Divides the area a into convex pieces: cuts it into triangles, and unites these as long as the result is convex. Adds
- * the pieces to out, which the caller frees. Returns false when memory is out. */
+/* Divides the area a into convex pieces, and adds them to out, which the caller frees. Returns false when memory is
+ * out. */
 bool vs_area_convex_pieces(const vs_area *a, vs_convex_pieces *out);
-/* Replaces the area a by a simpler area, out, that contains a. Its loops have fewer corners and deviate from those of a
- * by at most `most`. Copies a unchanged if the new loops would cross. Returns false when memory is out. The caller
- * frees out. */
+/* Sets out to a simpler area that contains the area a: its loops have fewer corners and deviate from those of a by at
+ * most `most`. Returns false when memory is out. The caller frees out. */
 bool vs_area_outer_corners(const vs_area *a, double most, vs_area *out);
 
-/* Writes to `out` the sum of two convex polygons, a with n points and b with m points: all p + q with p in a and q in
- * b, which is a convex polygon. Both begin at the leftmost of their lowest points, counter-clockwise. out has room for
- * n + m points. Returns the number of points. */
+/* Writes to `out` the sum of the convex polygons a and b, of n and m points: all p + q with p in a and q in b. Each
+ * begins at the leftmost of its lowest points. out has room for n + m points. Returns the number of points. */
 size_t vs_convex_sum(const vs_vec2 *a, size_t n, const vs_vec2 *b, size_t m, vs_vec2 *out);
 /* Returns the greatest number of points of the polygon that vs_convex_grow makes of n points. */
 static inline size_t vs_convex_grown_most(size_t n) { return n + 34; }
-/* Offsets a convex polygon of n points outwards by d > 0, with rounded corners. Writes the polygon to `out`. A rounded
- * corner is up to 0.5 % of d farther out than d. Returns the number of points. */
+/* Offsets a convex polygon of n points outwards by d > 0, with rounded corners, and writes it to `out`. A rounded
+ * corner is at most 0.5 % too far out. Returns the number of points. */
 size_t vs_convex_grow(const vs_vec2 *at, size_t n, double d, vs_vec2 *out);
 
 #endif

@@ -44,8 +44,8 @@ static bool is_flat(const vs_flat_net *s, uint32_t e) {
   return vs_v3_dot(n, m) > 0 && fabs(vs_v3_dot(q, n)) <= s->slack * ln && fabs(vs_v3_dot(p, m)) <= s->slack * lm;
 }
 
-/* Sets of[t] to the number of the part to which triangle t belongs. A part consists of triangles that are connected by
- * edges e for which through(s, e) returns true. Returns the number of parts, or SIZE_MAX when memory is out. */
+/* Sets of[t] to the number of triangle t's part: triangles that are connected by edges e for which through(s, e) is
+ * true. Returns the number of parts, or SIZE_MAX when memory is out. */
 static size_t parts(const vs_flat_net *s, bool (*through)(const vs_flat_net *, uint32_t), uint32_t *of) {
   size_t n = s->edges.m->triangle_count, count = 0, open = 0;
   uint32_t *stack = vs_fresh(n + 1, sizeof *stack);
@@ -142,8 +142,8 @@ void vs_flat_net_join(vs_flat_net *s, double slack) {
   }
 }
 
-/* Places all triangles in the plane, face by face: all triangles of a flat face, and then the next face. A face is
- * entered across a single edge, so that its triangles stay beside each other. Returns false when memory is out. */
+/* Places all triangles in the plane, one flat face after another. It enters a face across one edge only, so that the
+ * face's triangles stay beside each other. Returns false when memory is out. */
 static bool lay_all(vs_flat_net *s) {
   size_t n = s->edges.m->triangle_count;
   uint32_t *queue = vs_fresh(n + 1, sizeof *queue), *near = vs_fresh(n + 1, sizeof *near);
@@ -199,8 +199,8 @@ static double twist_of(const vs_flat_net *s, uint32_t t) {
     if (g->side[1] == VS_MESH_NONE || (g->side[0] ^ 1U) != g->side[1] || is_flat(s, e)) continue;
     vs_vec3 a = place(s, g->a), b = place(s, g->b), p = place(s, apex_vertex(s, g->side[0], e)),
             q = place(s, apex_vertex(s, g->side[1], e));
-    double most = 0; /* the straight lines of the surface may run between either pair of opposite sides, so both pairs
-                      * are tested */
+    double most = 0; /* the straight lines of the surface may connect either pair of opposite sides, so each pair is
+                      * tested */
     const vs_vec3 side[2][4] = { { a, p, q, b }, { p, b, a, q } };
     for (int i = 0; i < 2; i++) {
       const vs_vec3 *c = side[i];
@@ -220,8 +220,8 @@ bool vs_flat_net_unroll(vs_flat_net *s, vs_flatness *out) {
   if (!angle || s->pieces == SIZE_MAX || !lay_all(s)) return free(angle), false;
   add_angles(s, angle);
   for (size_t i = 0; i < s->edges.m->vertex_count; i++) {
-    double off = angle[i] > 0 ? fabs(angle[i] - 2 * acos(-1)) : 0; /* angle[i] is NAN at a border; the comparison is
-                                                                    * then false, and `off` is 0 */
+    double off = angle[i] > 0 ? fabs(angle[i] - 2 * acos(-1)) : 0; /* at a border angle[i] is NAN, the comparison is
+                                                                    * false, and `off` is 0 */
     out->worst = fmax(out->worst, off), out->curvature += off;
   }
   for (uint32_t e = 0; e < s->edges.edge_count; e++) {
@@ -258,8 +258,8 @@ bool vs_flat_net_borders(const vs_flat_net *s, uint32_t piece, vs_flat_border *e
         const vs_vec2 ends[2] = { s->at[t][from], s->at[t][to] };
         done[t][c] = true;
         ok = edge(context, t, s->edges.of[t][c], ends);
-        /* The next border edge begins at the end `to` of this edge. To find it, the loop turns about this end from
-         * triangle to triangle, across joined edges. */
+        /* The next border edge begins at the end `to` of this edge. To find it, the loop turns about `to` from triangle
+         * to triangle, across joined edges. */
         uint32_t v = vs_mesh_edges_corner(&s->edges, t, to), next = s->edges.of[t][from];
         for (size_t turn = 0; s->joined[next] && turn < 3 * n; turn++) {
           const vs_mesh_edge *g = &s->edges.edges[next];

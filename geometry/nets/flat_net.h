@@ -10,22 +10,21 @@ typedef struct {
   vs_vec2 (*at)[3];    /* at[t][k]: corner k of triangle t in the plane, counter-clockwise */
   uint32_t *face;      /* face[t]: number of the flat face (coplanar triangles) to which triangle t belongs */
   uint32_t *piece;     /* piece[t]: number of the piece of the flat net to which triangle t belongs */
-  bool *joined;        /* joined[e]: true if the two triangles at edge e also have this edge in common in the plane */
+  bool *joined;        /* joined[e]: true if the two triangles at edge e are also connected by it in the plane */
   size_t faces, pieces;
   double size, slack;  /* size: size of the mesh; slack: distance below which two points count as equal; both in model
                         * units */
 } vs_flat_net;
 
-/* Finds the edges and the flat faces of m, which must outlive the net. Returns false when memory is out, or when an
- * edge has more than two triangles; *several is true in the second case. The caller frees s with vs_flat_net_free in
- * either case. */
+/* Finds the edges and the flat faces of m, which must outlive the net. Returns false when memory is out, or with
+ * *several true when an edge has more than two triangles. The caller frees s in either case. */
 bool vs_flat_net_make(vs_flat_net *s, const vs_mesh *m, bool *several);
 void vs_flat_net_free(vs_flat_net *s);
 
 /* Returns the position in the plane of a corner of triangle t: the corner opposite to edge e. `ends`: positions of the
  * edge's two ends; `side`: 1 if the corner lies to the left of the edge, -1 if to the right. */
 vs_vec2 vs_flat_net_apex(const vs_flat_net *s, uint32_t t, uint32_t e, const vs_vec2 ends[2], double side);
-/* Sets ends to the positions of the two ends, a and b, of edge e in the plane, as triangle t has them. */
+/* Sets ends to the positions in the plane of the two ends of edge e, taken from triangle t. */
 void vs_flat_net_ends(const vs_flat_net *s, uint32_t t, uint32_t e, vs_vec2 ends[2]);
 /* Places triangle `to` in the plane beside triangle `from`, at their common edge e. */
 void vs_flat_net_lay(vs_flat_net *s, uint32_t from, uint32_t to, uint32_t e);
@@ -42,12 +41,12 @@ typedef struct {
   double curvature; /* sum of the absolute differences, in radians, between a full turn and the sum of the angles around
                      * each inner corner */
   double gap;       /* largest distance, in model units, between two positions of one corner after the mesh is laid
-                     * flat; 0 if all triangles fit together */
+                     * flat */
   double twist;     /* largest distortion of a pair of triangles 2i and 2i + 1: the fraction by which the pair, laid
                      * flat, is wider at half its length than the ruled surface through its four corners */
 } vs_flatness;
-/* Lays each part of the mesh flat, face by face, beginning with the part's first triangle, and measures the errors.
- * Each part becomes a piece. Returns false when memory is out. */
+/* Lays each part of the mesh flat, from its first triangle on, and measures the errors. Each part becomes a piece.
+ * Returns false when memory is out. */
 bool vs_flat_net_unroll(vs_flat_net *s, vs_flatness *out);
 
 /* A function that receives a border edge: edge e of triangle t, from ends[0] to ends[1] in the plane. Returns false

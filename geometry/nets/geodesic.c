@@ -16,7 +16,7 @@
 #include "model/store/array.h"
 
 #define PI 3.14159265358979323846
-#define NONE VS_MESH_NONE /* marks that there is no point, no edge or no triangle */
+#define NONE VS_MESH_NONE /* number that means no point, no edge or no triangle */
 enum { STOPS = 3, SWEEPS = 4000, SWEEPS_TO_COMPARE = 60, TURNS = 200 };
 
 /* ---- Dijkstra's algorithm ---- */
@@ -121,9 +121,8 @@ static vs_vec3 stop_at(const surface *s, uint32_t stop) {
   return vs_v3_add(at(s, e->a), vs_v3_scale(vs_v3_sub(at(s, e->b), at(s, e->a)), share));
 }
 
-/* Finds the first path from p to q, over a graph whose points are stops on the edges. Edge e has the STOPS + 2 stops
- * from number (STOPS + 2) e on, including its two ends. Links of length 0 connect the stops at one corner. p and q are
- * the last two points. Returns false when memory is out. */
+/* Finds the first path from p to q, over a graph of stops (points on edges). Edge e has the STOPS + 2 stops from number
+ * (STOPS + 2) e on; p and q are the last two points. Returns false when memory is out. */
 static bool first_way(const surface *s, const place *p, const place *q, uint32_t **out, size_t *count) {
   enum { EACH = STOPS + 2 };
   size_t points = EACH * s->edge_count + 2, n = 0, room = 0;
@@ -226,8 +225,7 @@ static void straighten(const surface *s, row *r, int sweeps) {
   }
 }
 
-/* Returns the triangle between the edges e and f, which a path crosses one after the other; NONE if no triangle has
- * both edges. */
+/* Returns the triangle that has both edges e and f, or NONE if there is none. */
 static uint32_t between(const surface *s, uint32_t e, uint32_t f) {
   for (int i = 0; i < 2; i++)
     for (int k = 0; k < 2; k++)
@@ -235,7 +233,7 @@ static uint32_t between(const surface *s, uint32_t e, uint32_t f) {
   return NONE;
 }
 
-/* Returns the corner of the mesh at which crossing i of path r lies; NONE if it lies between the ends of its edge. */
+/* Returns the corner of the mesh at which crossing i of path r lies, or NONE if the crossing lies within its edge. */
 static uint32_t ends_in(const surface *s, const row *r, size_t i) {
   const vs_mesh_edge *e = &s->edges[r->edge[i]];
   VS_ASSERT(i < r->count);
@@ -256,12 +254,12 @@ static double angle_at(vs_vec3 corner, vs_vec3 p, vs_vec3 q) {
   return atan2(vs_v3_length(vs_v3_cross(a, b)), vs_v3_dot(a, b));
 }
 
-/* Crossings of a path that all lie at one corner of the mesh: those from `first` to `stop` - 1. before, after: the
- * triangles in which the path arrives there and continues. */
+/* Crossings of a path, `first` to `stop` - 1, that all lie at one corner of the mesh. before, after: the triangles
+ * before and after this corner on the path. */
 typedef struct { size_t first, stop; uint32_t corner, before, after; } touch;
 
-/* Makes the list of edges that path r crosses if it passes the corner of c on the other side. *there: true if there is
- * such a list, and the angle on that side allows a shorter path. Returns false when memory is out. */
+/* Makes in `out` the list of edges that path r crosses if it passes c's corner on the other side. *there: true if there
+ * is such a list and it allows a shorter path. Returns false when memory is out. */
 static bool other_side(const surface *s, const row *r, const touch *c, row *out, bool *there) {
   size_t i = c->first, j = c->stop;
   uint32_t corner = c->corner;
@@ -336,15 +334,14 @@ static bool row_of_way(const surface *s, const uint32_t *way, size_t count, row 
     double share = (double)stop / (EACH - 1);
     bool corner = stop == 0 || stop == EACH - 1;
     uint32_t v = stop == 0 ? s->edges[e].a : s->edges[e].b;
-    /* next: the triangle in which the path continues; it contains this stop and the next one, or the end of the
-     * path. */
+    /* next: the triangle in which the path continues after this stop */
     uint32_t next = r->q.triangle;
     if (i + 2 < count) {
       uint32_t f = way[i + 1] / EACH;
       if (f == e) continue; /* the path goes along edge f, and leaves the edge only at the next stop */
       next = between(s, e, f);
-      if (next == NONE) { /* the stop (point on an edge) is a corner of the mesh; on each other edge at this corner, a
-                           * stop with another number has this position */
+      if (next == NONE) { /* the stop is a corner of the mesh; each other edge at this corner has a stop of another
+                           * number at the same position */
         if (!corner) return *whole = false, true;
         continue;
       }

@@ -20,10 +20,9 @@ typedef struct {
  * an array that the caller frees; *count: its length, 0 if there is no path. Returns false when memory is out. */
 bool vs_ways_shortest(const vs_way_net *net, uint32_t from, uint32_t to, uint32_t **out, size_t *count);
 
-/* Finds a shortest path over mesh m between the points of the mesh that are nearest to p and q. The path is a polyline
- * that bends where it crosses edges, and no similar path is shorter. Vertices with equal positions are one corner.
- * *out: points of the path, which the caller frees; *count: their number, 0 if the mesh does not connect p and q.
- * Returns false when memory is out. */
+/* Finds a shortest path over mesh m between the points of the mesh nearest to p and q. *out: points of the path, a
+ * polyline, which the caller frees; *count: their number, 0 if the mesh does not connect p and q. Returns false when
+ * memory is out. */
 bool vs_mesh_geodesic(const vs_mesh *m, vs_vec3 p, vs_vec3 q, vs_vec3 **out, size_t *count);
 
 #endif

@@ -4,7 +4,7 @@
 
 #include "model/mesh.h"
 
-#define VS_MESH_NONE UINT32_MAX /* marks that there is no edge or no triangle */
+#define VS_MESH_NONE UINT32_MAX /* number that means no edge or no triangle */
 
 typedef struct {
   uint32_t a, b;    /* corners (vertex numbers) at the ends of the edge, a < b */

@@ -13,22 +13,22 @@
 #include "model/store/array.h"
 
 enum {
-  LATE = 30,  /* A new order is compared with the order this many changes before, see improve. */
+  LATE = 30,  /* A new order of the parts is compared with the order this many changes before. */
   IDLE = 2000 /* number of changes without an improvement after which the search ends */
 };
 
-/* An order of the parts that is kept for later, the places that follow from it, and its cost. */
+/* An order of the parts, with the places that follow from it and its cost. */
 typedef struct {
   uint32_t *order;
   vs_nest_laid *laid;
   int wish;
-  double cost, reach; /* cost: length of sheets that are filled, see place_all; reach: length to which the endless sheet
-                       * is filled, or infinity */
+  double cost, reach; /* cost: length of all sheets but the last, plus the filled length of the last; reach: length to
+                       * which the endless sheet is filled, or infinity */
 } memory;
 
 typedef struct {
   vs_nest_places at;
-  size_t used;     /* number of sheets that contain parts */
+  size_t used;     /* number of sheets on which parts lie */
   uint32_t *order; /* numbers of the parts, in the order in which they are placed */
   memory best, now;
   uint64_t most_steps;
@@ -51,7 +51,7 @@ static bool place_all(nest *w, size_t from, double *cost) {
   }
   w->used = used;
   *cost = INFINITY;
-  for (size_t i = 0; i < used; i++) /* if no sheet is endless, the sheet that is filled least counts as the last one */
+  for (size_t i = 0; i < used; i++) /* if no sheet is endless, the least filled sheet counts as the last one */
     if (i == w->at.endless || w->at.endless >= used) *cost = fmin(*cost, vs_nest_filled(&w->at, &w->at.sheets[i]));
   *cost += (double)(used - 1) * w->at.rule->width;
   return true;
@@ -70,13 +70,14 @@ static int by_key(const void *a, const void *b) {
   return p->part < q->part ? -1 : p->part > q->part;
 }
 
-/* Sorts `order` by size, the largest parts first. by: number of the measure of size: area, extent, or both. */
+/* Sorts the parts in `order` by size, the largest first. by: number of the measure of size: area, extent, or a
+ * combination of the two. */
 static bool rank_parts(nest *w, int by) {
   ranked *r = vs_fresh(w->at.parts, sizeof *r);
   for (uint32_t i = 0; r && i < w->at.parts; i++) {
     const vs_nest_kind *k = &w->at.kinds[w->at.kind_of[i]];
     r[i] = (ranked){ by == 0 ? k->area : by == 1 ? k->extent : k->area * k->extent, i };
-    /* the small addition keeps parts of one kind together */
+    /* the small addition keeps parts of equal shape together */
     r[i].key += 1e-9 * (double)(w->at.kind_count - w->at.kind_of[i]) * r[i].key;
   }
   if (!r) return false;
@@ -100,7 +101,8 @@ static void recall(nest *w, const memory *m) {
   memcpy(w->order, m->order, w->at.parts * sizeof *m->order);
 }
 
-/* Changes `order`: exchanges two parts, or moves one part. Returns the first index that has changed. */
+/* Changes the order of the parts at random: exchanges two parts, or moves one. Returns the first index that has
+ * changed. */
 static size_t change_order(nest *w) {
   uint32_t n = (uint32_t)w->at.parts, i = 0, j = 0;
   const uint32_t *kind_of = w->at.kind_of;
@@ -116,9 +118,8 @@ static size_t change_order(nest *w) {
   return i < j ? i : j;
 }
 
-/* Changes the order repeatedly, and keeps a change if its cost is at most the present cost or the cost LATE changes
- * before. Ends when the work reaches most_steps, after IDLE changes without an improvement, or when the parts on the
- * endless sheet fit within its real size. */
+/* Changes the order of the parts repeatedly, and keeps a change if its cost is at most the present cost or the cost
+ * LATE changes before. Ends when the work reaches most_steps, or after IDLE changes without an improvement. */
 static bool improve(nest *w, uint64_t most_steps) {
   double cost, late[LATE];
   recall(w, &w->best);
@@ -138,8 +139,8 @@ static bool improve(nest *w, uint64_t most_steps) {
   return true;
 }
 
-/* Finds an order of the parts. The parts' area requires a certain number of sheets; at first, the last of these is
- * treated as endless. If parts still lie beyond its real end, they are placed on further sheets. */
+/* Finds an order of the parts. Treats the last sheet as endless at first; parts that lie beyond its real end are then
+ * placed on further sheets. */
 static bool search(nest *w) {
   const vs_nest_rule *r = w->at.rule;
   double cost, area = 0, whole = (r->width - 2 * r->margin) * (r->height - 2 * r->margin);

@@ -15,10 +15,10 @@
 #include "model/store/array.h"
 
 enum {
-  EVEN_LINES = 40,   /* number of lines at equal distances that are searched for a place */
+  EVEN_LINES = 40,   /* number of horizontal lines at equal distances on which a place for a part is searched */
   MOST_LINES = 200,
   FINE_LINES = 6,    /* number of finer lines on each side of the best line that are searched to improve the place */
-  FINER = 2,         /* number of times that the place is improved by finer lines */
+  FINER = 2,         /* number of times that a part's place is improved on finer lines */
   MOST_CORNERS = 24, /* number of corners above which a part gets a simpler outline */
   LONG_SIDES = 4     /* number of long sides of a part that are laid along the sheet's sides */
 };
@@ -39,7 +39,8 @@ typedef struct {
   size_t count, room;
 } spans;
 
-/* The sum of a form's piece and a piece on a sheet: the moves by which the two would overlap. */
+/* The sum of two convex pieces, one of a form (turned part) and one on a sheet: the moves by which the pieces would
+ * overlap. */
 typedef struct {
   size_t first, count, low, high; /* first, count: range of the sum's points; low, high: indices of its points of least
                                    * and greatest y */
@@ -74,8 +75,8 @@ static void from_lowest(const vs_vec2 *in, size_t n, vs_vec2 *out) {
   for (size_t i = 0; i < n; i++) out[i] = in[(low + i) % n];
 }
 
-/* Adds the form that consists of these pieces turned by the angle, unless the sheet is too small for it. Returns false
- * when memory is out. */
+/* Adds the form (turned part) that consists of the pieces c turned by the angle, unless the sheet is too small for it.
+ * Returns false when memory is out. */
 static bool add_form(nest *w, const vs_convex_pieces *c, double angle) {
   double s, co;
   form f = { .first = w->piece_count, .box = no_box(), .angle = angle };
@@ -109,8 +110,8 @@ static bool add_form(nest *w, const vs_convex_pieces *c, double angle) {
   return true;
 }
 
-/* Writes the angles of a part for which the user allows all, at most MOST: eighths of a turn, and those that lay its
- * long sides level. Returns their number. */
+/* Writes angles for a part that may be turned freely: eighths of a turn, and angles that lay its long sides level.
+ * Returns their number, at most MOST. */
 static size_t own_angles(const vs_area *a, double *out) {
   double longest[LONG_SIDES] = { 0 }, angle[LONG_SIDES];
   size_t count = 8;
@@ -144,7 +145,7 @@ static bool equal_areas(const vs_area *a, const vs_area *b, double slack) {
   return same;
 }
 
-/* Adds a new kind with the forms of a part. The part's first corner is at the origin of its forms. Returns false when
+/* Adds a new kind (parts with equal shape) with its forms, the part turned by each allowed angle. Returns false when
  * memory is out. */
 static bool add_kind(nest *w, const vs_area *a, uint32_t part) {
   double angles[8 + 4 * LONG_SIDES];
@@ -211,8 +212,8 @@ static bool add_sum(nest *w, const piece *q, vs_vec2 at, const piece *p) {
   return true;
 }
 
-/* Makes the sums of form f with those pieces on sheet s that can limit its place within the box `room`. Returns false
- * when memory is out. */
+/* Makes the sums of form f (turned part) with the pieces on sheet s that can limit its place within the box `room`. A
+ * sum contains the moves that would cause an overlap. Returns false when memory is out. */
 static bool make_sums(nest *w, const sheet *s, const form *f, box room) {
   double gap = w->rule->gap;
   w->lines->sum_count = w->lines->sum_points = 0;
@@ -241,7 +242,7 @@ static void add_line(nest *w, double y, box room) {
   if (l->line_count < MOST_LINES && y >= room.y0 && y <= room.y1) l->at[l->line_count++] = y;
 }
 
-/* Sorts the lines by y, and removes repeated ones. */
+/* Sorts the horizontal lines, on which places are searched, by y, and removes repeated ones. */
 static void sort_lines(nest *w) {
   vs_nest_lines *l = w->lines;
   size_t kept = 0;
@@ -272,7 +273,8 @@ static void fine_lines(nest *w, double low, double y, double high, box room) {
   sort_lines(w);
 }
 
-/* Adds to each line the interval of x in which the sum s forbids the part. Returns false when memory is out. */
+/* Adds to each horizontal line the interval of x in which the part would overlap a piece, as given by s. Returns false
+ * when memory is out. */
 static bool add_spans(nest *w, const sum *s) {
   vs_nest_lines *lines = w->lines;
   const vs_vec2 *at = lines->sum_at + s->first;
@@ -303,7 +305,7 @@ static int by_start(const void *a, const void *b) {
   return p->from < q->from ? -1 : p->from > q->from;
 }
 
-/* Returns the least x from x0 to x1 that lies in no interval of the line, or infinity. */
+/* Returns the least x from x0 to x1 that lies in no interval of the line l, or infinity. */
 static double leftmost(nest *w, spans *l, double x0, double x1) {
   double x = x0;
   size_t kept = 0;
@@ -323,7 +325,7 @@ static double leftmost(nest *w, spans *l, double x0, double x1) {
 
 /* ---- places ---- */
 
-/* A possible place on a sheet. cost: how unfavourable it is; form: index of the form that is placed. */
+/* A possible place of a part on a sheet. cost: how unfavourable it is; form: index of the turned part. */
 typedef struct { double cost, x, y; size_t form; } spot;
 
 static double wanted(const nest *w, const form *f, double x, double y) {
@@ -336,8 +338,8 @@ static double wanted(const nest *w, const form *f, double x, double y) {
   }
 }
 
-/* Replaces *best by the best place of a form on the lines, if that place is better. Sets *line to the index of its
- * line. Returns false when memory is out. */
+/* Replaces *best by the best place of a form (turned part) on the horizontal lines, if that is better. *line: index of
+ * its line. Returns false when memory is out. */
 static bool look_on_lines(nest *w, size_t form_index, box room, spot *best, size_t *line) {
   vs_nest_lines *l = w->lines;
   const form *f = &w->forms[form_index];
@@ -352,8 +354,8 @@ static bool look_on_lines(nest *w, size_t form_index, box room, spot *best, size
   return true;
 }
 
-/* Replaces *best by the best place of one form on sheet s, if that place is better. Returns false when memory is
- * out. */
+/* Replaces *best by the best place of one form (turned part) on sheet s, if that place is better. Returns false when
+ * memory is out. */
 static bool look_for_form(nest *w, const sheet *s, size_t form_index, spot *best) {
   const vs_nest_lines *l = w->lines;
   const form *f = &w->forms[form_index];

@@ -9,8 +9,7 @@
 
 typedef struct { double x0, y0, x1, y1; } vs_nest_box;
 
-/* A convex piece of a part turned by one of the allowed angles. first: index of its first point in two arrays, of its
- * points and of those of -p. */
+/* A convex piece of a turned part. first, count: range of its points in the array of all pieces' points. */
 typedef struct {
   size_t first, count;
   vs_nest_box box;
@@ -18,14 +17,14 @@ typedef struct {
 
 /* A form: a part of one kind, turned by one of the allowed angles. */
 typedef struct {
-  size_t first, count; /* range of the form's convex pieces */
+  size_t first, count; /* range of the turned part's convex pieces */
   vs_nest_box box;
   double angle;
 } vs_nest_form;
 
-/* A kind: parts with equal shape. */
+/* A kind: the parts that have one shape. */
 typedef struct {
-  size_t first, count; /* range of the kind's forms (allowed angles) */
+  size_t first, count; /* range of the forms of the kind: its part turned by each allowed angle */
   double area, extent; /* area: area of the part; extent: longer side of its bounding box */
   uint32_t part;       /* number of the first part of this kind */
 } vs_nest_kind;
@@ -38,9 +37,9 @@ typedef struct {
 typedef struct {
   vs_nest_laid_piece *at;
   size_t count, room;
-  vs_nest_box *parts; /* bounding boxes of the parts on the sheet */
+  vs_nest_box *parts; /* bounding boxes of the parts that lie on the sheet */
   size_t part_count, part_room;
-  double width, free, reach; /* free: area without parts; reach: the rightmost end of a part */
+  double width, free, reach; /* free: area of the sheet without parts; reach: greatest x of a part on the sheet */
   bool *full;                /* full[k]: true if a part of kind k no longer fits on this sheet */
 } vs_nest_sheet;
 
@@ -51,11 +50,11 @@ typedef struct {
   vs_vec2 move;
 } vs_nest_laid;
 
-/* Memory for the search of one place (nesting_places.c). */
+/* Working memory for the search of a place for one part (nesting_places.c). */
 typedef struct vs_nest_lines vs_nest_lines;
 
-/* Owns its arrays. The caller sets the rule, the number of parts, slack, kind_of and laid with room for the parts, and
- * may change wish and endless before it places parts. */
+/* All parts and sheets, with the places of the parts. The caller sets the rule, the number of parts, slack, kind_of and
+ * laid before it places parts. */
 typedef struct {
   const vs_nest_rule *rule;
   double slack; /* lengths below this count as 0 */
@@ -67,33 +66,34 @@ typedef struct {
   size_t form_count, form_room;
   vs_nest_kind *kinds;
   size_t kind_count, kind_room;
-  uint32_t *kind_of; /* kind_of[i]: number of part i's kind */
+  uint32_t *kind_of; /* kind_of[i]: number of part i's kind; parts of one kind have equal shape */
   size_t parts;
   vs_nest_sheet *sheets;
   size_t sheet_count, sheet_room;
   vs_nest_laid *laid; /* laid[i]: sheet and place of part i */
-  int wish;           /* number of the rule by which the best place on a sheet is chosen, see `wanted` */
+  int wish;           /* number of the formula that measures how good a place on a sheet is */
   size_t endless;     /* index of the sheet that is treated as endless, or SIZE_MAX if there is none */
-  uint64_t steps;     /* work so far */
+  uint64_t steps;     /* amount of work done so far, in an arbitrary unit */
   vs_nest_lines *lines;
 } vs_nest_places;
 
-/* Finds the kinds of parts with equal shape, and their forms. Sets *unfit to the first part that is too large for the
- * sheet, or to the number of parts. Returns false when memory is out. */
+/* Groups the parts into kinds of equal shape, and turns each kind by the allowed angles. *unfit: first part that is too
+ * large for the sheet, or the number of parts. Returns false when memory is out. */
 bool vs_nest_find_kinds(vs_nest_places *w, const vs_area *parts, size_t *unfit);
 
 /* Places a part on the first sheet where it fits. *used: number of sheets so far, which increases if a new sheet is
  * needed. Returns false when memory is out. */
 bool vs_nest_lay_part(vs_nest_places *w, uint32_t part, size_t *used);
 
-/* Lays a part where `laid` says, after parts that lie on the first *used sheets. Returns false when memory is out. */
+/* Lays a part at the place stored in `laid`. *used: number of sheets in use, which may increase. Returns false when
+ * memory is out. */
 bool vs_nest_lay_again(vs_nest_places *w, uint32_t part, size_t *used);
 
-/* Returns the length to which a sheet is filled: the mean of its rightmost part's end and of the length that the area
- * of its parts requires. */
+/* Returns the length to which a sheet is filled: the mean of the greatest x of its parts and the length that their area
+ * requires. */
 double vs_nest_filled(const vs_nest_places *w, const vs_nest_sheet *s);
 
-/* Returns the vector p, turned by the angle with this sine and cosine. */
+/* Returns the vector p, turned by the angle with the sine s and the cosine c. */
 vs_vec2 vs_nest_turned(vs_vec2 p, double s, double c);
 
 void vs_nest_places_free(vs_nest_places *w);

@@ -14,7 +14,7 @@
 #include "model/store/array.h"
 
 enum { MOST_TRIANGLES = 1000000 }; /* greatest number of triangles that one walk may cross */
-#define BEYOND .01 /* fraction of the offset distance: points that are farther beyond a border of the mesh than this are
+#define BEYOND .01 /* points that are farther beyond a border of the mesh than this fraction of the offset distance are
                     * omitted */
 
 /* ---- a straight walk over triangles ---- */
@@ -33,8 +33,8 @@ static vs_vec3 normal_of(const vs_mesh_edges *s, uint32_t t) {
 /* Returns the part of v perpendicular to the unit vector `along`. */
 static vs_vec3 across(vs_vec3 v, vs_vec3 along) { return vs_v3_sub(v, vs_v3_scale(along, vs_v3_dot(v, along))); }
 
-/* Returns the edge (0, 1 or 2) at which the walker leaves its triangle. came: the edge at which it entered, which is
- * excluded. *far: distance to the edge along the walk. Returns 3 if there is none. */
+/* Returns the edge (0, 1 or 2) at which the walker leaves its triangle, or 3 if there is none. came: the edge at which
+ * it entered, which is excluded. *far: distance to the edge along the walk. */
 static int edge_ahead(const vs_mesh_edges *s, const walker *w, uint32_t came, double *far) {
   vs_vec3 up = normal_of(s, w->triangle);
   int best = 3;
@@ -64,7 +64,7 @@ static bool cross_edge(const vs_mesh_edges *s, walker *w, int k, uint32_t *came)
   int third = 0;
   while (third < 2 && s->of[next][third] != e) third++;
   vs_vec3 into = across(vs_v3_sub(vs_mesh_edges_place(s, next, third), a), along);
-  into = vs_v3_length(into) > 0 ? vs_v3_unit(into) : vs_v3_unit(across(w->way, along)); /* in a triangle without height,
+  into = vs_v3_length(into) > 0 ? vs_v3_unit(into) : vs_v3_unit(across(w->way, along)); /* in a triangle without area,
                                                                                          * the direction across the edge
                                                                                          * is undefined, so the old
                                                                                          * direction is used */
@@ -121,8 +121,8 @@ static bool goes_back(const run *r, size_t i) {
   return vs_v3_dot(vs_v3_sub(r->at[after(r, i)].at, r->at[i].at), r->at[i].tangent) < 0;
 }
 
-/* Returns true if segments i and j of the run intersect as seen along the mesh's normal at i, and their distance along
- * this normal is less than their lengths. *place: their intersection. */
+/* Returns true if segments i and j of the run (part of the offset curve) intersect as seen along the mesh's normal, and
+ * are near each other. *place: their intersection. */
 static bool cross_at(const run *r, size_t i, size_t j, vs_vec3 *place) {
   vs_vec3 p = r->at[i].at, u = vs_v3_sub(r->at[after(r, i)].at, p), q = r->at[j].at;
   vs_vec3 v = vs_v3_sub(r->at[after(r, j)].at, q), up = r->at[i].up, d = vs_v3_sub(q, p);
@@ -150,19 +150,20 @@ static void cut_loop(run *r, size_t i, size_t j, vs_vec3 place) {
   reached corner = r->at[i];
   VS_ASSERT(i < r->count && j < r->count);
   corner.at = place;
-  if (i < j) { /* the loop that is cut off does not contain the end of the array */
+  if (i < j) { /* the points that are cut off do not include the end of the array */
     r->at[i + 1] = corner;
     memmove(r->at + i + 2, r->at + j + 1, (r->count - j - 1) * sizeof *r->at);
     r->count -= j - i - 1;
     return;
   }
-  for (size_t k = stop; k <= i; k++) r->at[n++] = r->at[k]; /* the loop that is cut off contains the end of the array */
+  for (size_t k = stop; k <= i; k++) r->at[n++] = r->at[k]; /* the points that are cut off include the end of the
+                                                             * array */
   r->at[n++] = corner;
   r->count = n;
 }
 
-/* Cuts off every loop of the run that contains a backward segment and is shorter than the remaining curve. Returns
- * false if interrupted. */
+/* Cuts off every loop of the run (part of the offset curve) that contains a backward segment and is shorter than the
+ * rest. Returns false if interrupted. */
 static bool cut_loops(run *r, vs_poller poll) {
   size_t segments = r->closed ? r->count : r->count - 1;
   for (size_t i = 0; i + 2 < segments; i++) {
@@ -221,8 +222,7 @@ bool vs_mesh_offset_curve(const vs_mesh_edges *s, const vs_offset_row *from, dou
     run whole = { ends, count, true };
     ok = put_run(&whole, out, poll);
   } else if (ok) {
-    /* If the curve is closed, begins at a gap between two runs (parts without a gap). Then no run continues across the
-     * end of the array. */
+    /* A closed curve begins at a gap, so that no part without a gap continues across the end of the array. */
     size_t first = closed ? gap : 0;
     memcpy(ends + count, ends, count * sizeof *ends);
     for (size_t i = 0; ok && i < count;) {

@@ -29,11 +29,9 @@ typedef struct {
   size_t count, room;
 } vs_offset_points;
 
-/* Computes the curve at the given distance from a curve on the mesh: to the left, as seen from the side to which the
- * triangles face, or to the right if the distance is negative. From each point, walks straight over the triangles,
- * perpendicular to the curve. Omits walks that leave the mesh, and cuts off loops where the distance exceeds the
- * curve's radius. A closed result repeats its first point. Calls `poll` once for each point. Returns false when `poll`
- * interrupts or memory is out. The caller frees out->at in either case. */
+/* Computes the curve at the given distance from a curve on the mesh: on its left, or on its right if the distance is
+ * negative. Calls `poll` once for each point. Returns false when `poll` interrupts or memory is out. The caller frees
+ * out->at in either case. */
 bool vs_mesh_offset_curve(const vs_mesh_edges *s, const vs_offset_row *from, double distance, vs_poller poll,
                           vs_offset_points *out);
 

@@ -15,7 +15,8 @@
 typedef struct {
   vs_vec2 at;
   double half, promise;
-  size_t seen; /* number of circles that were placed when this square's upper bound was computed */
+  size_t seen; /* number of circles that were placed when this square's upper bound for a circle's radius was
+                * computed */
 } square;
 
 typedef struct {
@@ -48,8 +49,8 @@ static double within(const vs_area *a, vs_vec2 p) {
   return in ? d : -d;
 }
 
-/* Returns the largest radius of a circle about p that overlaps no placed circle with an index of at least `from`. The
- * result is at most so_far. */
+/* Returns the largest radius, at most so_far, of a circle about p that keeps its distance from the placed circles with
+ * an index of at least `from`. */
 static double room_for(const packing *w, vs_vec2 p, double so_far, size_t from) {
   VS_ASSERT(from <= w->count);
   for (size_t i = from; i < w->count; i++)
@@ -77,8 +78,8 @@ static square pop(packing *w) {
   return top;
 }
 
-/* Returns the square with the centre `at` and half the side length `half`, with its upper bound for the radius of a
- * circle whose centre lies in it. */
+/* Returns the square with the centre `at` and half the side length `half`. Its bound limits the radius of circles whose
+ * centre lies in it. */
 static square look(const packing *w, vs_vec2 at, double half) {
   double r = room_for(w, at, within(w->area, at) - w->gap, 0);
   return (square){ at, half, r + half * sqrt(2), w->count };
@@ -108,8 +109,8 @@ bool vs_area_pack(const vs_area *area, const vs_packing_rule *rule, vs_long_work
     size_t kept_count = 0, kept_room = 0;
     while (ok && w.squares && w.heap[0].promise > fmax(least, best.radius * 1.001)) {
       square s = pop(&w);
-      if (s.seen < w.count) { /* circles were placed after the square's bound was computed, and may have lowered it, so
-                               * it is computed again */
+      if (s.seen < w.count) { /* more circles have been placed since the square's bound was computed, so it is computed
+                               * again */
         double r = room_for(&w, s.at, s.promise - s.half * sqrt(2), s.seen);
         s.promise = r + s.half * sqrt(2), s.seen = w.count;
         ok = push(&w, s);

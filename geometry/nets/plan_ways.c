@@ -10,8 +10,9 @@
 
 #include "model/store/array.h"
 
-#define BLUR 1e-9 /* distances below this fraction of the plan's size count as 0, because they may be rounding errors */
-#define ASIDE 1e-7 /* angle, in radians, by which a line of sight is turned to pass a corner on one side */
+#define BLUR 1e-9 /* distances below this fraction of the plan's size count as 0 */
+#define ASIDE 1e-7 /* angle, in radians, by which a line of sight to a corner is turned so that it passes beside the
+                    * corner */
 
 static vs_vec2 minus(vs_vec2 a, vs_vec2 b) { return (vs_vec2){ a.x - b.x, a.y - b.y }; }
 static vs_vec2 between(vs_vec2 a, vs_vec2 b, double t) {
@@ -75,7 +76,7 @@ bool vs_plan_contains(const vs_plan *p, vs_vec2 at) {
 
 /* ---- lines of sight ---- */
 
-/* Intervals of a segment in which it touches the room's border. */
+/* Intervals of a line of sight in which it touches the room's walls. */
 typedef struct { double *at; size_t count, room; } touches;
 
 static bool touch(touches *t, double at) {
@@ -92,8 +93,8 @@ static int by_size(const void *a, const void *b) {
 
 typedef enum { SEEN, HIDDEN, NO_MEMORY } sight;
 
-/* Adds to t where the edge from a to b touches the segment that begins at p and goes along d. Returns HIDDEN if the
- * edge crosses the segment. */
+/* Adds to t the interval in which the edge from a to b touches the segment that begins at p with the vector d. Returns
+ * HIDDEN if the edge crosses the segment. */
 static sight meet_edge(vs_vec2 p, vs_vec2 d, vs_vec2 a, vs_vec2 b, double eps, touches *t) {
   vs_vec2 e = minus(b, a), w = minus(a, p);
   double long_d = length(d), long_e = length(e), across = cross(d, e);
@@ -110,8 +111,8 @@ static sight meet_edge(vs_vec2 p, vs_vec2 d, vs_vec2 a, vs_vec2 b, double eps, t
   return touch(t, at) ? SEEN : NO_MEMORY;
 }
 
-/* Returns whether the segment from p to q lies in the room. It may touch the border. Between two touches, it is inside
- * if its middle is. */
+/* Returns SEEN if the whole segment from p to q lies in the room (it may touch the walls), else HIDDEN; NO_MEMORY when
+ * memory is out. */
 static sight sees_in(const vs_plan *plan, size_t room, vs_vec2 p, vs_vec2 q, double eps, touches *t) {
   vs_vec2 d = minus(q, p), a, b;
   if (length(d) <= eps) return in_room(plan, room, p, true, eps) ? SEEN : HIDDEN;
@@ -168,7 +169,7 @@ static bool add_corners(const vs_plan *p, double eps, vs_plan_place **out, size_
   return true;
 }
 
-/* Finds the shortest ways from all places to the exits, by Dijkstra's method. Exits have ways of length 0. */
+/* Finds the shortest ways from all places (corners, doors, exits) to the exits, by Dijkstra's method. */
 static vs_plan_outcome walk(const vs_plan *p, vs_plan_place *places, size_t count, vs_long_work work) {
   double eps = blur(p);
   touches t = { 0 };
@@ -222,8 +223,8 @@ bool vs_plan_way(const vs_plan *p, const vs_plan_place *places, size_t count, vs
 
 /* ---- views ---- */
 
-/* Finds the first edge of the room that a ray from p in the direction d hits; returns false if there is none. d is
- * slightly beside a corner. *q: the point on that edge's line in the direction `exact`, to the corner itself. */
+/* Finds the first wall of the room that a ray from p in the direction d hits; returns false if there is none. *q: the
+ * point where a ray in the direction `exact` meets the line of this wall. */
 static bool reach(const vs_plan *plan, size_t room, vs_vec2 p, vs_vec2 d, vs_vec2 exact, double eps, vs_vec2 *q) {
   double most = INFINITY;
   vs_vec2 a, b;

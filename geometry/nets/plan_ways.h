@@ -18,7 +18,7 @@ typedef struct {
   size_t loops, rooms;
 } vs_plan;
 
-/* A place at which shortest ways turn or end: a corner that juts into a room, a door or an exit. */
+/* A place of a plan at which shortest ways turn or end: a corner that juts into a room, a door or an exit. */
 typedef struct {
   vs_vec2 at;
   double far;    /* length of the shortest way from this place to an exit; INFINITY if no way leads to an exit */
@@ -28,19 +28,19 @@ typedef struct {
 
 typedef enum { VS_PLAN_DONE, VS_PLAN_STOPPED, VS_PLAN_MEMORY } vs_plan_outcome;
 
-/* Sets *out to all places of the plan, and *count to their number; the caller frees *out. The exits come first, then
- * the doors, then the corners. */
+/* Sets *out to all places of the plan (exits, then doors, then corners) with their shortest ways to an exit, and *count
+ * to their number. The caller frees *out. */
 vs_plan_outcome vs_plan_ways(const vs_plan *p, const vs_vec2 *exits, size_t exit_count, const vs_vec2 *doors,
                              size_t door_count, vs_long_work work, vs_plan_place **out, size_t *count);
 
 /* Returns true if the point is in a room or on its border. */
 bool vs_plan_contains(const vs_plan *p, vs_vec2 at);
-/* Sets *far to the length of the shortest way from a point to an exit, and *first to the first place on this way. If
- * there is no way, sets them to INFINITY and VS_NO_PLACE. Returns false when memory is out. */
+/* Sets *far to the length of the shortest way from a point to an exit, and *first to the index of the first place on
+ * this way. If there is no way, sets them to INFINITY and VS_NO_PLACE. Returns false when memory is out. */
 bool vs_plan_way(const vs_plan *p, const vs_plan_place *places, size_t count, vs_vec2 from, double *far,
                  uint32_t *first);
-/* Sets *out to the corners, counter-clockwise, of the area that is visible from the point `from`; the caller frees
- * *out. *count: number of these corners; 0 if the point is in no room. Returns false when memory is out. */
+/* Sets *out to the corners of the area that is visible from the point `from`; the caller frees *out. *count: number of
+ * corners; 0 if the point is in no room. Returns false when memory is out. */
 bool vs_plan_view(const vs_plan *p, vs_vec2 from, vs_vec2 **out, size_t *count);
 
 #endif
