@@ -58,8 +58,8 @@ bool vs_several_parts(vs_ref whole, vs_ref **out, size_t *count) {
       continue;
     }
     ok = VS_GROW(todo, todo_room, todo_count + set->child_count);
-    for (uint32_t i = set->child_count; ok && i-- > 0;) { /* pushes the first child last, so that it is on top of the
-                                                           * stack */
+    for (uint32_t i = set->child_count; ok && i-- > 0;) { /* pushes the children in reverse order, so that the first
+                                                           * child is on top of the stack */
       vs_node *part = vs_parts_within(at, set->children[i]);
       ok = part != NULL;
       if (ok) todo[todo_count++] = (vs_ref){ part, set->children[i].origin };

@@ -241,7 +241,7 @@ static bool reach(const vs_plan *plan, size_t room, vs_vec2 p, vs_vec2 d, vs_vec
   return most < INFINITY;
 }
 
-/* Returns the corner of the room within `near` of q; returns q itself if there is none. */
+/* Returns the corner of the room within the distance `near` of q; returns q itself if there is none. */
 static vs_vec2 nearly_corner(const vs_plan *plan, size_t room, vs_vec2 q, double near) {
   vs_vec2 a, b;
   for (edges e = edges_of(plan, room); next_edge(&e, &a, &b);)

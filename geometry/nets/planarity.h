@@ -22,8 +22,8 @@ enum { VS_PLANE_ROUNDS = 60000 };
 
 typedef enum { VS_PLANE_DONE, VS_PLANE_FAR, VS_PLANE_STOPPED, VS_PLANE_MEMORY } vs_plane_outcome;
 
-/* Moves the corners until each is within `tolerance` > 0 of the planes of its faces. *worst: largest remaining distance
- * of a corner from a plane. */
+/* Moves the corners of the faces until each is within `tolerance` > 0 of the planes of its faces. *worst: largest
+ * remaining distance of a corner from a plane. */
 vs_plane_outcome vs_net_planarise(vs_net_faces *f, double tolerance, vs_long_work work, double *worst);
 
 #endif

@@ -12,9 +12,9 @@
 
 #include "model/store/array.h"
 
-/* ROUNDS: greatest number of rounds in which unstrained lengths are adjusted. SOFT: rounds after which springs become
- * stiffer; only nets with many load paths need that. POLL: number of steps between two calls of the caller. STIFFER:
- * stiffness of a cable in units of its greatest force; stiffer springs need more steps but fewer rounds. */
+/* ROUNDS: greatest number of rounds in which cable lengths are adjusted. SOFT: number of rounds after which cables
+ * become stiffer. POLL: number of steps between two calls of the caller. STIFFER: stiffness of a cable in units of its
+ * greatest force. */
 enum { ROUNDS = 24, SOFT = 8, POLL = 64, STIFFER = 10 };
 
 typedef struct {
@@ -34,8 +34,8 @@ static uint32_t root_of(uint32_t *parent, uint32_t i) {
   return i;
 }
 
-/* Checks that every part of the net that carries a load is connected to a fixed point. *where: a loaded point without
- * such a connection. */
+/* Checks that members connect each loaded point of the net to a fixed point. *where: a loaded point without such a
+ * connection. */
 static vs_relax_outcome held(const vs_net *n, size_t *where) {
   uint32_t *parent = NULL;
   bool *has = NULL;
@@ -135,7 +135,7 @@ static vs_relax_outcome settle(relaxation *r, double tolerance, vs_long_work wor
 }
 
 /* Returns true if all taut cables have their required lengths, with a relative error of at most `share`. Otherwise
- * adjusts the cables' lengths without load, for the next round. */
+ * adjusts the unloaded lengths of the cables for the next round. */
 static bool lengths_hold(relaxation *r, double share) {
   bool hold = true;
   for (size_t k = 0; k < r->net->member_count; k++) {
@@ -148,8 +148,8 @@ static bool lengths_hold(relaxation *r, double share) {
   return hold;
 }
 
-/* Moves the points until the forces are balanced and cables of fixed length have their lengths. Works in rounds, each
- * with other lengths of the cables without load. */
+/* Moves the points until the forces are balanced and each cable of fixed length has its length under load. Works in
+ * rounds, each with other unloaded lengths of the cables. */
 static vs_relax_outcome settle_lengths(relaxation *r, double tolerance, vs_long_work work, vs_relax_report *out) {
   double share = fmax(1e-9, 10 * tolerance), rough = 1e-2;
   for (int round = 0; round < ROUNDS; round++) {

@@ -14,7 +14,7 @@
 #include "model/store/array.h"
 
 enum {
-  RUNS = 80,             /* greatest number of orders of the edges that are tried */
+  RUNS = 80,             /* greatest number of runs: each tries another order in which edges of the mesh are joined */
   PATIENCE = 300000000   /* number of comparisons of triangles after which no further order of the edges is tried */
 };
 
@@ -52,15 +52,16 @@ static bool boxes_meet(const box *a, const box *b, double slack) {
   return a->x0 < b->x1 - slack && b->x0 < a->x1 - slack && a->y0 < b->y1 - slack && b->y0 < a->y1 - slack;
 }
 
-/* The state of a run, which joins pieces in one order of the edges. The triangles of a piece form a circular list, in
- * which next[t] follows triangle t. */
+/* The state of a run, which joins pieces of the flat net in one order of the edges. The triangles of a piece form a
+ * circular list. */
 typedef struct {
   vs_flat_net *s;
   uint32_t *next, *count;  /* next[t]: triangle after t in the list of its piece; count[p]: number of triangles of piece
                             * p */
   uint32_t *order;         /* numbers of the edges in the order in which the run processes them */
   double *weight;          /* weight[e]: weight of edge e; an edge with a smaller weight is processed earlier */
-  uint32_t *steepest;      /* steepest[v]: the steepest edge at vertex v, which the run processes last */
+  uint32_t *steepest;      /* steepest[v]: the steepest edge at vertex v for the run's upward direction; the run
+                            * processes it last */
   vs_vec2 (*best)[3];      /* best[t]: positions in the plane of the corners of triangle t, as the run with the fewest
                             * pieces so far has laid it */
   uint32_t *best_piece;
@@ -102,7 +103,8 @@ static motion between(const vs_vec2 from[2], const vs_vec2 to[2]) {
   return m;
 }
 
-/* Joins the two pieces at edge e if they then do not overlap in the plane. Returns true if it joined them. */
+/* Joins the two pieces of the flat net at edge e, unless they would then overlap in the plane. Returns true if it
+ * joined them. */
 static bool merge(run *r, uint32_t e) {
   vs_flat_net *s = r->s;
   const vs_mesh_edge *g = &s->edges.edges[e];
@@ -158,8 +160,7 @@ static double next_random(uint64_t *state) { /* returns a pseudo-random number f
   return (double)(*state >> 11) / 4503599627370496.0 - 1;
 }
 
-/* Sets the weights of the edges, which determine their order, for run `number`: by length, by the steepest edge at each
- * vertex, or by random numbers. */
+/* Sets the weights of the edges, which determine their order, for run number `number`. */
 static void weigh(run *r, int number) {
   vs_flat_net *s = r->s;
   const vs_mesh *m = s->edges.m;
@@ -203,8 +204,7 @@ static bool sort_edges(run *r) {
   return true;
 }
 
-/* At the beginning of a run, makes each flat face a separate piece. vs_flat_net_unroll has placed the triangles of a
- * face beside each other. */
+/* At the beginning of a run, makes each flat face a separate piece of the net. */
 static void separate(run *r) {
   vs_flat_net *s = r->s;
   size_t n = s->edges.m->triangle_count;
@@ -239,7 +239,7 @@ bool vs_flat_net_unfold(vs_flat_net *s, vs_long_work work) {
     memcpy(r.best, s->at, n * sizeof *r.best);
     memcpy(r.best_piece, s->piece, n * sizeof *r.best_piece);
   }
-  if (ok && fewest != SIZE_MAX) { /* numbers the pieces of the net from 0, in the order of their first triangles */
+  if (ok && fewest != SIZE_MAX) { /* numbers the pieces of the flat net from 0, in the order of their first triangles */
     uint32_t *name = r.near, count = 0;
     for (size_t f = 0; f < s->faces; f++) name[f] = VS_MESH_NONE;
     memcpy(s->at, r.best, n * sizeof *r.best);
@@ -280,7 +280,8 @@ static bool is_free(const tab_field *f, const vs_vec2 at[3], uint32_t piece) {
   return true;
 }
 
-/* Sets ends to the ends of the border edge e of triangle t, in the direction in which the triangle lies to the left. */
+/* Sets ends to the ends of the border edge e of triangle t, in the order in which the triangle lies to the left of the
+ * edge. */
 static void border_ends(const vs_flat_net *s, uint32_t t, uint32_t e, vs_vec2 ends[2]) {
   vs_flat_net_ends(s, t, e, ends);
   vs_vec2 w = s->at[t][vs_flat_net_corner(s, t, e)];
@@ -290,8 +291,8 @@ static void border_ends(const vs_flat_net *s, uint32_t t, uint32_t e, vs_vec2 en
   }
 }
 
-/* Finds the widest glue tab that fits at edge e of triangle t. Tries `width` first, then three quarters of it, and so
- * on, down to a fifth of `width`. Returns the tab's width, or 0 if none fits. out: its two outer corners. */
+/* Finds the widest glue tab that fits at edge e of triangle t: `width`, three quarters of it, and so on, down to a
+ * fifth. Returns the tab's width, or 0 if none fits. out: its two outer corners. */
 static double widest(const tab_field *f, uint32_t t, uint32_t e, double width, vs_vec2 out[2]) {
   vs_vec2 p[2];
   border_ends(f->s, t, e, p);

@@ -22,8 +22,8 @@ typedef struct {
   bool guided;
 } guide;
 
-/* Returns the dissimilarity of the pixels a and b: squared differences, each divided by twice the variance of its
- * channel, summed over the channels. */
+/* Returns how unlike the pixels a and b are: squared differences, each divided by twice the variance of its channel,
+ * summed over the channels. */
 static double unlike(const guide *g, size_t a, size_t b) {
   const double albedo = 1 / (2 * 0.05 * 0.05), normal = 1 / (2 * 0.15 * 0.15), light = g->guided ? 0.6 : 0.25;
   double d = (double)g->light[a] - (double)g->light[b], sum = d * d / (2 * light * light);

@@ -15,8 +15,8 @@ typedef struct {
                      * drawn */
 } vs_color_scale;
 
-/* Returns a scale for `count` numbers at `at`. The least and the greatest hundredth of the numbers are outside of its
- * range. If `logarithmic` is true, it covers only numbers above 0, and at most six powers of ten. */
+/* Returns a scale of colours for `count` numbers at `at`, without the least and the greatest hundredth of them. If
+ * `logarithmic` is true, it covers only numbers above 0, and at most six powers of ten. */
 vs_color_scale vs_color_scale_of(const float *at, size_t count, bool logarithmic, const char *unit);
 /* Sets rgb to the colour of the number x as sRGB bytes, by Anton Mikhailov's colour map Turbo (Google AI Blog,
  * 2019). */
@@ -24,8 +24,8 @@ void vs_false_color(const vs_color_scale *s, double x, unsigned char rgb[3]);
 /* A number for each pixel, row by row from the top; NaN if the pixel has no number. */
 typedef struct { const float *at; uint32_t columns, rows; } vs_pixel_numbers;
 
-/* Makes a picture of the numbers and a legend, in the store's memory. Pixels without a number stay blank. Returns false
- * when memory is out. */
+/* Makes a picture of the numbers as colours, with a legend, in the store's memory. Pixels without a number stay blank.
+ * Returns false when memory is out. */
 bool vs_false_color_picture(vs_store *store, const vs_pixel_numbers *numbers, const vs_color_scale *s, vs_pixels *out,
                             vs_error *e);
 

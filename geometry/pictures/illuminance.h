@@ -13,10 +13,8 @@ typedef struct { const float *light[3], *albedo[3], *upward; /* light, albedo: c
 
 vs_lit_surfaces vs_lit_surfaces_of(const vs_exr *x);
 bool vs_lit_surfaces_are_known(const vs_lit_surfaces *s);
-/* Returns the illuminance of the surface at the pixel, in the picture's units. A matt surface with the reflectance r
- * and the illuminance E reflects E r / pi in every direction. Therefore E is pi / r times the reflected light of each
- * colour; the colours are weighted as for luminance. Returns NaN if the pixel shows no surface, or r is below a
- * two-hundredth. */
+/* Returns the illuminance of the surface at the pixel: pi / r times the reflected light, where r is the reflectance of
+ * the matt surface. Returns NaN if the pixel shows no surface, or r is below a two-hundredth. */
 double vs_illuminance_at(const vs_lit_surfaces *s, size_t pixel);
 /* Returns true if the pixel shows a floor: a surface that faces up and is horizontal within 3 degrees. */
 bool vs_is_floor(const vs_lit_surfaces *s, size_t pixel);

@@ -11,8 +11,8 @@ typedef struct {
   double mean[3];     /* mean of the picture's linear light, converted to sRGB: its colour as seen from far away */
 } vs_photograph;
 
-/* Reads a PNG or JPEG file that is in memory; its first bytes determine the format. Returns false if the file has
- * neither format, is truncated, broken or too large. */
+/* Reads a PNG or JPEG file that is in memory. Returns false if the file has neither format, is truncated, broken or too
+ * large. */
 bool vs_photograph_read(vs_store *store, const vs_file_bytes *file, vs_photograph *out, vs_error *e);
 
 #endif

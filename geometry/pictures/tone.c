@@ -7,8 +7,8 @@
 
 /* ---- exposure ---- */
 
-/* A histogram of luminance, by its logarithm to base 2 in stops. A stop is a factor of two. BINS_A_STOP: number of bins
- * for each stop; LEAST_STOP: lowest stop; STOPS: number of stops. */
+/* A histogram of luminance by its logarithm to base 2, in stops (factors of two). BINS_A_STOP: bins for each stop;
+ * LEAST_STOP: lowest stop; STOPS: number of stops. */
 enum { BINS_A_STOP = 16, LEAST_STOP = -24, STOPS = 48, BINS = STOPS * BINS_A_STOP };
 
 static double luminance(const vs_light *l, size_t i) {
@@ -24,15 +24,13 @@ static double quantile(const size_t bins[BINS], double count) {
   return LEAST_STOP + (i + 0.5) / BINS_A_STOP;
 }
 
-/* The value to which exposure scales the 99th percentile of the picture's light, for each tone curve. There the curve
- * is a little below white. */
+/* For each tone curve, the value to which exposure scales the 99th percentile of the picture's light; the curve maps it
+ * to slightly less than white. */
 static const double bright_end[] = {
     [VS_TONE_NEUTRAL] = 1.1, [VS_TONE_AGX] = 3.8, [VS_TONE_FILMIC] = 4, [VS_TONE_LINEAR] = 0.9 };
 
-/* Returns by how many stops (factors of two) a picture of this mean luminance should look darker than one of the day: 0
- * from 3 cd/m2. It is the key of G. Krawczyk, K. Myszkowski and H.-P. Seidel (Perceptual Effects in Real-Time Tone
- * Mapping, SCCG 2005), which they fitted to photographs, relative to its value at 3 cd/m2. A mean of 1 is
- * 10,000 cd/m2. */
+/* Returns by how many stops (factors of two) a picture with this mean luminance should look darker than a picture of
+ * the day: 0 from 3 cd/m2 (Krawczyk, Myszkowski and Seidel, SCCG 2005). A mean of 1 is 10,000 cd/m2. */
 static double night_stops(double mean) {
   const double least = 3;
   double y = 1e4 * mean, key = 1.03 - 2 / (2 + log10(fmin(y, least) + 1));
@@ -51,10 +49,8 @@ double vs_tone_exposure(const vs_light *light, vs_tone_curve curve) {
     count++;
   }
   if (!count) return 0;
-  /* Reinhard's method ignores a hundredth of the pixels at either end of the range. His key (the grey that the average
-   * becomes) is .18 if the average is in the middle of the range. It is four times as large if the average is at the
-   * bright end, and a quarter of it at the dark end. Low keys are for pictures that should stay dark, but not for a
-   * room with a bright window. Therefore the key here is never more than half a stop below .18. */
+  /* By Reinhard's method, the grey that the average becomes is a quarter of .18 to four times .18, by its place in the
+   * range. Here it is never more than half a stop below .18. */
   double least = quantile(bins, 0.01 * (double)count), most = quantile(bins, 0.99 * (double)count);
   double average = fmin(fmax(sum / (double)count, least), most), range = most - least;
   double place = range > 0 ? (2 * average - least - most) / range : 0; /* position of the average in the range of
@@ -64,16 +60,15 @@ double vs_tone_exposure(const vs_light *light, vs_tone_curve curve) {
   /* white: exposure, in stops, with which the brightest part of the picture just becomes white. By Reinhard's key
    * alone, a white building in the sun would be grey. */
   double dark = night_stops(exp2(average)), white = log2(bright_end[curve]) - most, lit = key + dark - average;
-  /* night: weight, from 0 to 1, of the rule for night, by which lit parts stay below white and everything else is dark.
-   * The rules for day and night are blended over a range of one stop, so that the exposure has no jump. */
+  /* night: weight, from 0 to 1, of the rule for night, by which lit parts stay below white. It grows over one stop, so
+   * that the exposure has no jump. */
   double night = fmin(1, -dark);
   return (1 - night) * fmax(lit, white) + night * fmin(lit, white);
 }
 
 /* ---- tone curves: from linear light to linear light of a screen, 0 to 1 ---- */
 
-/* lesser and greater return the minimum and maximum of numbers that are not NaN. They are faster than fmin and fmax,
- * which check for NaN and are function calls. */
+/* lesser and greater are faster than fmin and fmax, which check for NaN and are function calls. */
 static inline double lesser(double a, double b) { return a < b ? a : b; }
 static inline double greater(double a, double b) { return a > b ? a : b; }
 
@@ -118,9 +113,8 @@ static double sigmoid(double x) {
   return 15.5 * x4 * x2 - 40.14 * x4 * x + 31.96 * x4 - 6.868 * x2 * x + 0.4298 * x2 + 0.1191 * x - 0.00232;
 }
 
-/* The tone curve AgX: a matrix mixes the colours, the sigmoid is applied to each, and the inverse matrix separates them
- * again. Bright light loses its colour, as on film. The contrast, a power of 1.35, is that of the look 'punchy' in the
- * same source as the sigmoid. */
+/* The tone curve AgX: a matrix mixes the colours, the sigmoid is applied to each colour, and the inverse matrix
+ * separates the colours again. The contrast, a power of 1.35, is that of the look 'punchy'. */
 static void agx(const double in[3], double out[3]) {
   static const double inset[3][3] = {
       { 0.842479062253094, 0.0784335999999992, 0.0792237451477643 },
@@ -145,9 +139,8 @@ static void agx(const double in[3], double out[3]) {
 
 /* ---- conversion of a picture ---- */
 
-/* A table that converts light to sRGB bytes (IEC 61966-2-1) without a power function for each pixel. `at[i]`: the least
- * light for which byte i is the nearest. `first[k]`: the byte with which the search begins, for light in part k of
- * COARSE equal parts of the range 0 to 1. */
+/* A table that converts light to sRGB bytes. at[i]: least light for which byte i is the nearest. first[k]: byte with
+ * which the search begins for light in part k of COARSE equal parts of 0 to 1. */
 enum { COARSE = 4096 };
 typedef struct { double at[256]; unsigned char first[COARSE + 1]; } screen_steps;
 
@@ -170,8 +163,8 @@ static unsigned char screen(const screen_steps *s, double x) { /* returns the sR
   return (unsigned char)b;
 }
 
-/* Returns the element, from 0 to 63, of the 8 by 8 dither matrix of B. E. Bayer (An Optimum Method for Two-Level
- * Rendition of Continuous-Tone Pictures, IEEE ICC 1973) for a pixel. Each number occurs once in the matrix. */
+/* Returns the element, from 0 to 63, of B. E. Bayer's 8 by 8 dither matrix for a pixel. Each number occurs once in the
+ * matrix. */
 static unsigned bayer(uint32_t column, uint32_t row) {
   unsigned n = 0, mixed = column ^ row;
   for (unsigned bit = 0; bit < 3; bit++)
@@ -179,13 +172,12 @@ static unsigned bayer(uint32_t column, uint32_t row) {
   return n;
 }
 
-/* Returns the sRGB byte of the linear light x, 0 to 1, by ordered dithering: some pixels are rounded up to the next
- * byte, the others down. The share of the former is the fraction of a step by which x exceeds the lower byte. n:
- * element of the dither matrix for the pixel. */
+/* Returns the sRGB byte of the linear light x, 0 to 1, by ordered dithering: pixels of equal light are rounded up or
+ * down, so that their mean is exact. n: element of the dither matrix for the pixel. */
 static unsigned char dithered(const screen_steps *s, double x, unsigned n) {
   unsigned b = screen(s, x);
   if (b == 0 || b == 255) return (unsigned char)b;
-  /* above: by how many steps x exceeds byte b, -0.5 to 0.5; b is the nearest byte for light from at[b] to at[b + 1]. */
+  /* above: difference between x and the middle of byte b's range, in units of this range: -0.5 to 0.5 */
   double above = (x - s->at[b]) / (s->at[b + 1] - s->at[b]) - 0.5, threshold = (n + 0.5) / 64;
   return (unsigned char)(above > 0 ? b + (above > threshold) : b - (-above > threshold));
 }

@@ -29,10 +29,8 @@ typedef struct {
 typedef struct { const float *red, *green, *blue; uint32_t columns, rows; } vs_light;
 static inline size_t vs_light_pixels(const vs_light *light) { return (size_t)light->columns * light->rows; }
 
-/* Returns the exposure of the picture in stops, from the histogram of its luminance; 0 for a black picture. By day it
- * is the larger of two numbers, at night the smaller. The first makes the picture's bright end just less than white by
- * the tone curve. The second is that of Erik Reinhard, Parameter Estimation for Photographic Tone Reproduction, Journal
- * of Graphics Tools 7(1), 2002, darkened for a dark scene. */
+/* Returns the exposure of the picture in stops, by Reinhard's method (Parameter Estimation for Photographic Tone
+ * Reproduction, 2002) with changes for bright and dark scenes; 0 for a black picture. */
 double vs_tone_exposure(const vs_light *light, vs_tone_curve curve);
 /* Converts the picture to sRGB; rgb receives three bytes for each pixel. Returns the exposure that was applied, in
  * stops. */

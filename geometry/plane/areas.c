@@ -25,15 +25,14 @@ bool vs_area_point(vs_area *a, double x, double y) {
   return true;
 }
 
-static size_t area_ended(const vs_area *a) { /* returns the number of points in the loops of area a that are completed;
-                                              * further points belong to the next loop */
+static size_t area_ended(const vs_area *a) { /* returns the number of points in the completed loops of area a; further
+                                              * points belong to the next loop */
   size_t n = 0;
   for (size_t l = 0; l < a->loop_count; l++) n += a->size[l];
   return n;
 }
 
-/* Completes a loop of a: its points are those from index `first` to the last. first is at most a->count. hole: whether
- * the loop is a hole. */
+/* Completes a loop of a, with the points from index `first` to the last. hole: true if the loop is a hole. */
 static bool area_close(vs_area *a, size_t first, bool hole) {
   size_t n = a->count - first;
   VS_ASSERT(first <= a->count);
@@ -185,7 +184,7 @@ static void area_tidy(vs_area *a, size_t first) {
   vs_vec2 *p = a->at + first;
   VS_ASSERT(first <= a->count);
   for (size_t i = 0; i < n; i++) size = fmax(size, fmax(fabs(p[i].x), fabs(p[i].y)));
-  for (size_t i = 0; i < n; i++) { /* tests each corner against the corner that was kept before it and the corner after
+  for (size_t i = 0; i < n; i++) { /* compares each corner with the corner that was kept before it and the corner after
                                     * it */
     vs_vec2 b = p[i], c = p[(i + 1) % n], o = kept ? p[kept - 1] : p[n - 1];
     double ux = b.x - o.x, uy = b.y - o.y, vx = c.x - b.x, vy = c.y - b.y, wx = c.x - o.x, wy = c.y - o.y;
@@ -240,7 +239,7 @@ static bool geos_polygon(vs_geos *g, const GEOSGeometry *polygon, vs_area *out) 
 }
 
 /* Appends the polygons of a GEOS result to out, and ignores its lines and points, which occur where areas only touch.
- * Checks every call of GEOS, because an allocation inside GEOS may have failed. Returns false on failure. */
+ * Returns false on failure. */
 static bool geos_result(vs_geos *g, const GEOSGeometry *from, vs_area *out) {
   int type = from ? g->GEOSGeomTypeId_r(g->h, from) : -1;
   if (type < 0) return false;
@@ -264,8 +263,8 @@ static bool geos_result(vs_geos *g, const GEOSGeometry *from, vs_area *out) {
   return n >= 0;
 }
 
-/* Returns a valid copy of the collection a, or NULL on failure. Makes each part valid separately: together, areas that
- * are covered twice would be lost. */
+/* Returns a valid copy of the collection a, or NULL on failure. Makes each part valid separately, because GEOS would
+ * otherwise lose areas that two parts cover. */
 static GEOSGeometry *geos_mend(vs_geos *g, const GEOSGeometry *a) {
   int n = g->GEOSGetNumGeometries_r(g->h, a);
   GEOSGeometry **parts = n < 0 ? NULL : vs_zeros((size_t)n + 1, sizeof *parts), *all = NULL;
@@ -282,8 +281,8 @@ static GEOSGeometry *geos_mend(vs_geos *g, const GEOSGeometry *a) {
   return all;
 }
 
-/* Tests whether a union has lost a part: GEOS sometimes loses one that has corners very near to other parts' edges.
- * Returns false if some part of the collection a has no point in `united`. */
+/* Returns false if a union has lost a part: if some part of the collection a has no point in `united`. GEOS sometimes
+ * loses a part with corners very near to other parts' edges. */
 static bool geos_holds_all(vs_geos *g, const GEOSGeometry *a, const GEOSGeometry *united) {
   int n = g->GEOSGetNumGeometries_r(g->h, a);
   const GEOSGeometry *one = n > 1 ? g->GEOSGetGeometryN_r(g->h, a, 0) : NULL; /* only polygons are tested, because GEOS
@@ -301,8 +300,8 @@ static bool geos_holds_all(vs_geos *g, const GEOSGeometry *a, const GEOSGeometry
   return all;
 }
 
-/* Computes the union of the parts of a again, on a grid that is a few times as coarse as the last digit of the largest
- * number; GEOS then loses no part. Returns the larger of this union and `united`, and frees the smaller. */
+/* Computes the union of the parts of a again, on a coarser grid, where GEOS loses no part. Returns the larger of the
+ * new union and `united`, and frees the smaller. */
 static GEOSGeometry *geos_unite_on_grid(vs_geos *g, const GEOSGeometry *a, GEOSGeometry *united) {
   int exponent;
   double was = 0, is = 0, low[2], high[2];
@@ -429,7 +428,7 @@ static int chain_winding(const vs_vec2 (*edges)[2], size_t count, double x, doub
   return turns;
 }
 
-/* GEOS unites all edges as lines, and so divides them at their intersections. The faces between the lines are then
+/* GEOS unites all edges as lines, and divides them at their intersections. The faces between the lines are then
  * selected by their winding number, and united. */
 bool vs_area_of_chain(const vs_vec2 (*edges)[2], size_t count, const char *purpose, vs_area *out, vs_error *e) {
   vs_geos g;
@@ -456,8 +455,8 @@ bool vs_area_of_chain(const vs_vec2 (*edges)[2], size_t count, const char *purpo
     ok = inside && g.GEOSGeomGetX_r(g.h, inside, &x) == 1 && g.GEOSGeomGetY_r(g.h, inside, &y) == 1;
     g.GEOSGeom_destroy_r(g.h, inside);
     if (!ok || chain_winding(edges, count, x, y) == 0) continue;
-    kept[keep] = g.GEOSUnaryUnion_r(g.h, face); /* this union of a single face is a copy of it, which belongs to this
-                                                 * function */
+    kept[keep] = g.GEOSUnaryUnion_r(g.h, face); /* the union of a single face is a copy of the face, which belongs to
+                                                 * this function */
     ok = kept[keep] != NULL;
     keep += ok;
   }

@@ -26,16 +26,16 @@ bool vs_area_loop(vs_area *a, bool hole);            /* ends the current loop, a
 typedef enum {
   VS_AREA_UNION,
   VS_AREA_INTERSECTION,
-  VS_AREA_DIFFERENCE /* the part of the first area that lies in no other area */
+  VS_AREA_DIFFERENCE /* the part of the first area that lies in none of the following areas */
 } vs_area_operation;
 /* Combines areas of one plane. out must be empty. purpose: the feature that needs GEOS, for the message if GEOS is
  * missing. Returns false and sets e on failure. */
 bool vs_area_combine(vs_area_operation operation, const vs_area *operands, size_t count, const char *purpose,
                      vs_area *out, vs_error *e);
 
-/* Makes the area of all points around which the directed edges wind, that is, with a winding number other than 0. As
- * many edges must begin as end at each point; edges may intersect or overlap. purpose: the feature that needs GEOS, for
- * error messages. Returns false and sets e on failure. */
+/* Makes the area of all points with a winding number other than 0 in the directed edges, which may intersect. As many
+ * edges begin as end at each point. purpose: the feature that needs GEOS, for error messages. Returns false and sets e
+ * on failure. */
 bool vs_area_of_chain(const vs_vec2 (*edges)[2], size_t count, const char *purpose, vs_area *out, vs_error *e);
 /* Finds the centre *at and the radius of the largest circle within area a, to a thousandth of the area's size. The
  * radius is 0 if the area is empty. purpose: the feature that needs GEOS, for error messages. */
@@ -44,21 +44,20 @@ bool vs_area_middle(const vs_area *a, const char *purpose, vs_vec2 *at, double *
 bool vs_area_holds(const vs_area *a, double x, double y);
 
 /* Makes the Delaunay triangulation of at least two points. *out: counter-clockwise triangles, as indices of points,
- * which the caller frees; *count: their number, 0 if all points lie on one line. Of several points at one position,
- * only the first is used. Returns false and sets e on failure. */
+ * which the caller frees; *count: their number, 0 if all points lie on one line. Returns false and sets e on
+ * failure. */
 bool vs_points_delaunay(const vs_vec2 *at, size_t n, uint32_t (**out)[3], size_t *count, vs_error *e);
 
 /* ---- implemented in offset.c ---- */
 typedef enum { VS_OFFSET_MITRE, VS_OFFSET_ROUND, VS_OFFSET_SQUARE } vs_offset_corners;
 
-/* A circle or arc that is the exact offset of one: nodes of offsets, and placements that preserve circles, may be
- * around the original. It is stored as an arc, for a circle from 0 to 2 pi. vs_offset_round returns false if a node is
- * no such offset, or the offset is empty. */
+/* A circle or arc that is the exact offset of a circle or arc, found by vs_offset_round. A circle is stored as an arc
+ * from 0 to 2 pi. */
 typedef struct { bool circle; struct vs_arc arc; } vs_offset_exact;
 
-/* vs_area_of_outline converts the loops of an outline to an area in the coordinates of `frame`, whose columns 0 and 1
- * span the plane. vs_area_outline converts an area to an outline in space. */
+/* Converts the loops of an outline to an area in the coordinates of `frame`, whose columns 0 and 1 span the plane. */
 bool vs_area_of_outline(const vs_outline *o, const vs_affine *frame, vs_area *out);
+/* Converts area a, in the coordinates of `frame`, to an outline in space. */
 bool vs_area_outline(const vs_area *a, const vs_affine *frame, vs_outline *out);
 
 #endif

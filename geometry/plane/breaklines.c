@@ -48,8 +48,8 @@ static int corner_at(const flipper *f, uint32_t t, uint32_t v) {
   return k;
 }
 
-/* Returns the next triangle after t around point v, or NONE after the last one. *turned: true if the walk has reached
- * the triangulation's border and now goes clockwise, beginning at its first triangle. */
+/* Returns the next triangle after t around point v, or NONE after the last. *turned: true once the walk has reached a
+ * border and goes the other way, clockwise. */
 static uint32_t around(const flipper *f, uint32_t v, uint32_t t, bool *turned) {
   if (!*turned) {
     uint32_t n = f->next[t][(corner_at(f, t, v) + 1) % 3];
@@ -60,8 +60,8 @@ static uint32_t around(const flipper *f, uint32_t v, uint32_t t, bool *turned) {
   return f->next[t][(corner_at(f, t, v) + 2) % 3];
 }
 
-/* Finds a triangle that has a side between the points a and b. *t: number of the triangle; *k: its corner opposite this
- * side. Returns false if there is none. */
+/* Finds a triangle with the side from a to b. *t: number of the triangle; *k: its corner opposite this side. Returns
+ * false if there is none. */
 static bool find(const flipper *f, uint32_t a, uint32_t b, uint32_t *t, int *k) {
   bool turned = false;
   for (*t = f->of[a]; *t != NONE; *t = around(f, a, *t, &turned)) {
@@ -72,8 +72,8 @@ static bool find(const flipper *f, uint32_t a, uint32_t b, uint32_t *t, int *k) 
   return false;
 }
 
-static int back_of(const flipper *f, uint32_t t, uint32_t from) { /* returns the index of the corner of triangle t
-                                                                   * that is opposite its side towards the neighbour
+static int back_of(const flipper *f, uint32_t t, uint32_t from) { /* returns the index of the corner of triangle t that
+                                                                   * is opposite the side between t and its neighbour
                                                                    * `from` */
   int k = 0;
   while (k < 2 && f->next[t][k] != from) k++;
@@ -119,8 +119,8 @@ static bool is_convex(const flipper *f, uint32_t t, int k) {
   return y != NONE && side(f, x, y, u) * side(f, x, y, v) < 0;
 }
 
-/* Returns true if the neighbour of triangle t opposite corner k has its third corner within t's circumcircle, so that
- * the side violates Delaunay's condition. */
+/* Returns true if the neighbour of triangle t opposite corner k has its third corner within t's circumcircle, which
+ * Delaunay's condition forbids. */
 static bool is_within(const flipper *f, uint32_t t, int k) {
   uint32_t y = beyond(f, t, k);
   if (y == NONE) return false;
@@ -141,8 +141,8 @@ static vs_vec2 crossing(const flipper *f, uint32_t a, uint32_t b, uint32_t p, ui
   return (vs_vec2){ f->at[p].x + share * (f->at[q].x - f->at[p].x), f->at[p].y + share * (f->at[q].y - f->at[p].y) };
 }
 
-/* Collects the sides of triangles that the segment from a to b crosses. *end: the first point after a that lies on the
- * segment; at the latest, b. *where: if the segment crosses a given edge, the position of the crossing. */
+/* Collects the sides of triangles that the segment from a to b crosses. *end: the first point after a on the segment.
+ * *where: the crossing, if the segment crosses a given edge. */
 static vs_breaklines_outcome collect(flipper *f, uint32_t a, uint32_t b, uint32_t *end, vs_vec2 *where) {
   bool turned = false;
   uint32_t t, p = NONE, q = NONE;
@@ -174,8 +174,8 @@ static vs_breaklines_outcome collect(flipper *f, uint32_t a, uint32_t b, uint32_
   return VS_BREAKLINES_LOST;
 }
 
-/* Flips the collected sides until the segment from a to b is a side of triangles. Returns false when memory is out, or
- * when rounding errors prevent this. */
+/* Flips the sides of triangles that the segment from a to b crosses, until the segment itself is a side. Returns false
+ * when memory is out, or rounding errors prevent it. */
 static bool flip_crossed(flipper *f, uint32_t a, uint32_t b) {
   size_t most = 64 + 16 * f->crossed.count * f->crossed.count;
   for (; f->crossed.first < f->crossed.count && most > 0; most--) {
@@ -196,8 +196,8 @@ static bool flip_crossed(flipper *f, uint32_t a, uint32_t b) {
   return f->crossed.first == f->crossed.count;
 }
 
-/* Flips new sides of triangles, except given edges, until all satisfy Delaunay's condition. The number of passes is
- * limited, because rounding errors might continue them forever. */
+/* Flips new sides of triangles, except given edges, until all satisfy Delaunay's condition, or a greatest number of
+ * passes is reached. */
 static bool restore(flipper *f) {
   bool changed = true;
   for (int pass = 0; changed && pass < 100; pass++) {
@@ -286,8 +286,8 @@ static uint32_t find_border(const flipper *f, size_t points, uint32_t *after) {
   return lowest;
 }
 
-/* Adds triangles at concave corners of t's border. Records the sides of these triangles, which may violate Delaunay's
- * condition. */
+/* Adds triangles to t at concave corners of its border. Records the sides of these triangles, which may violate
+ * Delaunay's condition. */
 static bool complete(flipper *f, vs_breakline_mesh *t) {
   uint32_t *after = vs_fresh(t->count + 1, sizeof *after), *line = vs_fresh(t->count + 2, sizeof *line);
   bool ok = after && line;
