@@ -39,7 +39,7 @@ vs_affine vs_frame_turn(vs_vec3 a, vs_vec3 b) {
                         { v.x * v.z * k - v.y, v.y * v.z * k + v.x, c + v.z * v.z * k, 0 } } };
 }
 
-/* Moves the vector x from point p with tangent t to point q with tangent u, and returns it: reflects it in the
+/* Moves the vector x from point p with tangent t to point q with tangent u, and returns it. First reflects x in the
  * bisecting plane of p and q, then in the plane that maps the reflected t to u. */
 static vs_vec3 frame_reflect_twice(vs_vec3 p, vs_vec3 t, vs_vec3 q, vs_vec3 u, vs_vec3 x) {
   vs_vec3 v = vs_v3_sub(q, p);

@@ -17,9 +17,9 @@ vs_affine vs_frame_turn(vs_vec3 a, vs_vec3 b);
 /* A sample of a path. at: the point; arriving, leaving: unit tangents before and after it, which differ at a corner. */
 typedef struct { vs_vec3 at, arriving, leaving; double along; /* along: arc length from the start of the path to this
                                                                * sample */ } vs_path_point;
-/* Moves the unit vector x along a path of n > 0 points with the least rotation (double reflection); x_out[i] is the
- * moved vector at point i. On a closed path, x would return turned by some angle; this turn is distributed along the
- * path. Returns that angle in radians; 0 for an open path. */
+/* Moves the unit vector x along a path of n > 0 points with the least rotation; x_out[i] is the moved vector at point
+ * i. On a closed path, x would return turned by some angle; this turn is distributed along the path. Returns that angle
+ * in radians. */
 double vs_frame_transport(const vs_path_point *path, size_t n, bool closed, double length, vs_vec3 x, vs_vec3 *x_out);
 
 /* Returns the unit vector of the normal or of its opposite, whichever points up. A horizontal vector points towards +Y,

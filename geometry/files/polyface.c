@@ -148,9 +148,9 @@ static bool polyface_agreed(vs_store *s, const vs_polygons *faces, bool *agreed,
   return ok;
 }
 
-/* Finds the neighbours of the faces (g). *closed: true if each edge has exactly two faces whose orientations agree or
- * can be made to agree. turned[f]: 1 if face f must be reversed for that. Returns false when memory is out or the run
- * is interrupted. */
+/* Finds the neighbours of the faces. *closed: true if each edge has exactly two faces whose orientations agree or can
+ * be made to agree. turned[f]: 1 if face f must be reversed for that. Returns false when memory is out or the run is
+ * interrupted. */
 static bool polyface_agree(vs_store *s, vs_agreement *g, const vs_polygons *faces, bool *closed, vs_error *e) {
   size_t face_count = faces->face_count, n = faces->starts[face_count];
   size_t room = n ? n : 1, face_room = face_count ? face_count : 1;

@@ -120,9 +120,8 @@ static size_t weld_slot(const uint32_t *slots, size_t mask, const weld_cell *cel
   return at;
 }
 
-/* Sets place[i] to the first point within `reach` of point i, or to i if there is none. The points are sorted into grid
- * cells twice as wide as `reach`, so only eight cells are searched. *welded: number of points that were given an
- * earlier point. */
+/* Sets place[i] to the first point within `reach` of point i, or to i if there is none. *welded: number of points that
+ * were given an earlier point. */
 static bool weld(const vs_face_list *l, double reach, uint32_t *place, size_t *welded) {
   size_t room = 16;
   while (room < l->point_count * 2) room *= 2;

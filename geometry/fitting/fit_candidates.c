@@ -113,8 +113,8 @@ static bool same_candidate(const vs_fit_search *f, const vs_fit_candidate *a, co
   return !apart(f, a, b) && off < .1 * (double)count * fmax(fmin(a->spread, b->spread), f->tolerance);
 }
 
-/* Changes each of the best candidate's numbers up and down, and fits again from there, because a number may be in a
- * local minimum: one row of windows may have been fitted to the next row. Returns false on failure. */
+/* Changes each of the best candidate's numbers up and down, and fits again from there. A number may be in a local
+ * minimum: one row of windows may have been fitted to the next row. Returns false on failure. */
 static bool from_numbers(vs_fit_search *f, vs_fit_candidate *best, vs_fit_candidate *second) {
   enum { NUMBERS_MOVED = 12 };
   vs_fit_candidate pair[2];

@@ -89,8 +89,8 @@ bool vs_fit_number_slopes(vs_fit_search *f, size_t j, double *out);
 
 /* ---- fitting ---- */
 
-/* How long to fit. points: number of points; rounds: greatest number of rounds; most: greatest number of evaluations in
- * a round; tolerance: a round ends when the loss or the unknowns change by less than this fraction. */
+/* How long to fit. `points`: number of points. `rounds`: greatest number of rounds. `most`: greatest number of
+ * evaluations in a round. `tolerance`: a round ends when the loss or the unknowns change by less than this fraction. */
 typedef struct {
   size_t points;
   unsigned rounds, most;

@@ -35,8 +35,7 @@ typedef struct {
 typedef struct {
   void *context;
   /* Makes the solid with the given numbers as a mesh whose facets are within the tolerance; 0: the tolerance of
-   * drawings. Returns false with VS_ERROR_MODEL if the numbers do not make a solid; the fit then takes a shorter step.
-   * Any other error ends the fit. */
+   * drawings. Returns false with VS_ERROR_MODEL if the numbers do not make a solid. Any other error ends the fit. */
   bool (*make)(void *context, const double *numbers, double tolerance, vs_mesh *out, vs_error *e);
   bool (*going)(void *context); /* returns false to stop the fit, which keeps its result so far */
   void (*progress)(void *context, unsigned iteration, double spread);

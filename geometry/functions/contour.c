@@ -556,8 +556,9 @@ static vs_vec3 best_within(const ring_point *r, const vs_vec3 *place, const vs_v
   return held_in(r, p);
 }
 
-/* Samples the surface near the points of n rings (pieces of the surface), and moves each point: on a smooth piece onto
- * the surface, on a sharp edge to the intersection of the planes on both sides. Returns false on failure. */
+/* Samples the surface near the points of n rings (pieces of the surface), and moves each point. On a smooth piece it
+ * goes onto the surface, at a sharp edge to the intersection of the planes on both sides of the edge. Returns false on
+ * failure. */
 static bool refine(contour *c, ring_point *rings, size_t n) {
   enum { LOOKS = 24, TURNS_OF_LOOKS = 3 };
   static const double reach[TURNS_OF_LOOKS] = { .4, .15, .05 };

@@ -31,8 +31,8 @@ typedef struct {
   double deviation; /* largest distance of a triangle's centre from the surface, to first order */
 } vs_contour;
 
-/* A box from corner p to corner q, p < q along each axis, divided into cubes. cells: number of cubes along its longest
- * side. tolerance: cubes are merged where the surface is flat within this length. */
+/* A box from corner p to corner q, p < q along each axis, divided into cubes. `cells`: number of cubes along its
+ * longest side. `tolerance`: cubes are merged where the surface is flat within this length. */
 typedef struct { vs_vec3 p, q; int cells; double tolerance; } vs_contour_grid;
 
 /* Makes the closed mesh of the part of the grid's box where t(x, y, z) < 0. grid->cells is 1 to VS_CONTOUR_CELLS. The

@@ -10,9 +10,8 @@
 #include "model/long_work.h"
 #include "model/vec.h"
 
-/* The cells of a dual contour, all of one size. A ring is a piece of the surface within a cell. A quad connects the
- * four rings around an edge of the grid that the surface crosses. The edge begins at the lowest corner of a cell; the
- * first ring of the quad lies in this cell. */
+/* The cells of a dual contour (mesh of a function), all of one size. A ring is a piece of the surface within a cell. A
+ * quad connects the four rings around an edge of the grid that the surface crosses. */
 typedef struct {
   size_t rings, quads;
   const vs_vec3 *point;           /* point[r]: point of ring r (a piece of the surface within a cell), on the surface

@@ -9,8 +9,8 @@
  * -INFINITY: no ground. far: distance beyond which obstacles are ignored. */
 typedef struct { const vs_ray_tree *tree; double ground, far; } vs_surrounding;
 
-/* Returns the unobstructed fraction of the hemisphere over a surface: 1 on an open field, 0 in a crack. from: a point
- * slightly above the surface. seed: shifts the pattern of rays, so that neighbouring points have different errors. */
+/* Returns the unobstructed fraction of the hemisphere over a surface: 1 on an open field, 0 in a crack. `from`: a point
+ * slightly above the surface. `seed`: shifts the pattern of rays, so that neighbouring points have different errors. */
 double vs_openness(const vs_surrounding *s, vs_vec3 from, vs_vec3 normal, uint32_t seed);
 
 #endif

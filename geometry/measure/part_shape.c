@@ -187,7 +187,7 @@ static bool has_corner(const vs_part_shape *s, vs_vec3 p, double slack) {
 }
 
 /* Returns true if the motion that moves the frame `from` to the frame `to` moves each corner of part a to a corner of
- * part b, within the slack. sign: -1 tests the mirror image of a, 1 tests a. */
+ * part b, within the slack. If `sign` is -1, tests the mirror image of a. */
 static bool corners_fit(const vs_part_shape *a, const vs_part_shape *b, const turn *from, const turn *to, double sign,
                         double slack) {
   for (size_t i = a->count; i-- > 0;) {

@@ -79,8 +79,8 @@ static void remove_side(const vs_vec2 *at, corner *c, const shared_side *s, doub
   c[a].next = c[a].last = a, c[b].next = c[b].last = b;
 }
 
-/* Adds the polygon that contains the corner `start` as a piece, from the leftmost of its lowest points on. Marks its
- * corners as done. Returns false when memory is out. */
+/* Adds the polygon that contains the corner `start` as a piece. The piece begins at the leftmost of its lowest points.
+ * Marks its corners as done. Returns false when memory is out. */
 static bool add_ring(const vs_vec2 *at, corner *c, uint32_t start, bool *done, vs_convex_pieces *out) {
   uint32_t low = start;
   size_t n = 0;

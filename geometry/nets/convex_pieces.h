@@ -20,7 +20,7 @@ bool vs_area_convex_pieces(const vs_area *a, vs_convex_pieces *out);
 bool vs_area_outer_corners(const vs_area *a, double most, vs_area *out);
 
 /* Writes to `out` the sum of the convex polygons a and b, of n and m points: all p + q with p in a and q in b. Each
- * begins at the leftmost of its lowest points. out has room for n + m points. Returns the number of points. */
+ * begins at the leftmost of its lowest points. Returns the number of points, at most n + m. */
 size_t vs_convex_sum(const vs_vec2 *a, size_t n, const vs_vec2 *b, size_t m, vs_vec2 *out);
 /* Returns the greatest number of points of the polygon that vs_convex_grow makes of n points. */
 static inline size_t vs_convex_grown_most(size_t n) { return n + 34; }

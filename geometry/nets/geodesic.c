@@ -323,8 +323,8 @@ static bool go_round(const surface *s, row *r, bool *better) {
   return true;
 }
 
-/* Sets r to the list of edges that a path over the given stops (points on edges) crosses. At a corner of the mesh, the
- * path takes the side that is found first. *whole: false if no list was found. Returns false when memory is out. */
+/* Sets r to the list of edges that a path over the given stops (points on edges) crosses. *whole: false if no list was
+ * found. Returns false when memory is out. */
 static bool row_of_way(const surface *s, const uint32_t *way, size_t count, row *r, bool *whole) {
   enum { EACH = STOPS + 2 };
   uint32_t t = r->p.triangle;

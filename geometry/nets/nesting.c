@@ -37,9 +37,9 @@ typedef struct {
   bool stopped;
 } nest;
 
-/* Places the parts in the order `order`, from index `from` on; earlier parts keep their places. Sets *cost to the
- * length of all sheets but the last, plus the length to which the last sheet is filled. Returns false when memory is
- * out or the caller interrupts. */
+/* Places the parts in the order `order`, from index `from` to the end. Sets *cost to the length of all sheets but
+ * the last, plus the length to which the last sheet is filled. Returns false when memory is out or the caller
+ * interrupts. */
 static bool place_all(nest *w, size_t from, double *cost) {
   size_t used = 0;
   for (size_t i = 0; i < from; i++)

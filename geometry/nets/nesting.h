@@ -6,9 +6,9 @@
 #include "geometry/plane/areas.h"
 #include "model/long_work.h"
 
-/* The sheets, and the rules for parts on them. angles: allowed rotations in radians; if angle_count is 0, eighths of a
- * turn and some others. gap: distance between parts; margin: distance from the border; effort: time of the search in
- * seconds. */
+/* The sheets, and the rules for parts on them. `angles`: allowed rotations in radians; if angle_count is 0, eighths of
+ * a turn and some others. `gap`: distance between parts. `margin`: distance from the border. `effort`: time of the
+ * search in seconds. */
 typedef struct {
   double width, height, gap, margin;
   const double *angles;

@@ -14,9 +14,9 @@ typedef struct {
  * and of a circle from the border. */
 typedef struct { size_t most; double least, gap; } vs_packing_rule;
 
-/* Places circles in the area. Each circle has the largest radius that fits beside the circles before it, within a
- * thousandth. `circles` has room for rule->most elements; *count becomes the number of circles. Returns false when
- * memory is out, or the caller interrupts; *stopped is true in the second case. */
+/* Places circles in the area, each with the largest radius that fits beside the earlier circles. `circles` has room for
+ * rule->most elements; *count becomes their number. Returns false when memory is out, or with *stopped true when the
+ * caller interrupts. */
 bool vs_area_pack(const vs_area *area, const vs_packing_rule *rule, vs_long_work work, vs_packed *circles,
                   size_t *count, bool *stopped);
 

@@ -44,8 +44,8 @@ static void develop(const vs_light *light, double stops, unsigned char *rgb, dou
   }
 }
 
-/* Returns the structural similarity of the pictures a and b, which have equal sizes; 1 if they are equal. work: memory
- * for six planes, with one number for each pixel; rgb: memory for the bytes of a picture. */
+/* Returns the structural similarity of the pictures a and b, which have equal sizes; 1 if they are equal. `work`:
+ * memory for six planes, with one number for each pixel. `rgb`: memory for the bytes of a picture. */
 static double similarity(const vs_light *a, const vs_light *b, double *work, unsigned char *rgb) {
   const double c1 = 0.01 * 255 * 0.01 * 255, c2 = 0.03 * 255 * 0.03 * 255;
   double window[2 * REACH + 1], sum = 0, *of[6];

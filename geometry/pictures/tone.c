@@ -139,8 +139,8 @@ static void agx(const double in[3], double out[3]) {
 
 /* ---- conversion of a picture ---- */
 
-/* A table that converts light to sRGB bytes. at[i]: least light for which byte i is the nearest. first[k]: byte with
- * which the search begins for light in part k of COARSE equal parts of 0 to 1. */
+/* A table that converts light to sRGB bytes. `at[i]`: least light for which byte i is the nearest. `first[k]`: byte
+ * with which the search begins for light in part k of COARSE equal parts of 0 to 1. */
 enum { COARSE = 4096 };
 typedef struct { double at[256]; unsigned char first[COARSE + 1]; } screen_steps;
 
@@ -172,8 +172,8 @@ static unsigned bayer(uint32_t column, uint32_t row) {
   return n;
 }
 
-/* Returns the sRGB byte of the linear light x, 0 to 1, by ordered dithering: pixels of equal light are rounded up or
- * down, so that their mean is exact. n: element of the dither matrix for the pixel. */
+/* Returns the sRGB byte of the linear light x, 0 to 1, by ordered dithering. Pixels of equal light are rounded up or
+ * down, so that their mean is about exact. `n`: element of the dither matrix for the pixel. */
 static unsigned char dithered(const screen_steps *s, double x, unsigned n) {
   unsigned b = screen(s, x);
   if (b == 0 || b == 255) return (unsigned char)b;
