@@ -14,7 +14,7 @@ typedef enum {
   VS_CONTOUR_EMPTY,     /* the function is nowhere below 0 in the box */
   VS_CONTOUR_NO_NUMBER, /* the function has no value at the point `at` */
   VS_CONTOUR_POLE,      /* the function changes its sign through infinity (a pole), near the point `at` */
-  VS_CONTOUR_STOPPED,   /* the caller interrupted */
+  VS_CONTOUR_STOPPED,   /* the caller interrupted the meshing */
   VS_CONTOUR_MANY,      /* the mesh before merging has more triangles than out->most */
   VS_CONTOUR_MEMORY
 } vs_contour_outcome;
@@ -25,7 +25,7 @@ typedef struct {
                              * function is above 0 */
   size_t point_count, triangle_count;
   size_t point_room, triangle_room;
-  vs_vec3 at;       /* place of the fault, for VS_CONTOUR_NO_NUMBER and VS_CONTOUR_POLE */
+  vs_vec3 at;       /* point where the function has no value (VS_CONTOUR_NO_NUMBER) or is infinite (VS_CONTOUR_POLE) */
   size_t most;      /* input: greatest number of triangles of the mesh before cells are merged; 0: no limit */
   bool capped;      /* true if the function is below 0 up to a side of the box, so that this side closes the mesh */
   double deviation; /* largest distance of a triangle's centre from the surface, to first order */

@@ -145,7 +145,7 @@ static bool moments_equal(const vs_part_shape *a, const vs_part_shape *b, double
          fabs(a->lean - b->lean) <= wide * unit * unit * unit;
 }
 
-/* A rotation; its matrix as three rows. */
+/* A rotation: the three rows of its matrix. */
 typedef struct { vs_vec3 row[3]; } turn;
 static vs_vec3 turned(const turn *t, vs_vec3 p) {
   return (vs_vec3){ vs_v3_dot(t->row[0], p), vs_v3_dot(t->row[1], p), vs_v3_dot(t->row[2], p) };

@@ -43,7 +43,7 @@ typedef struct {
   bool *full;                /* full[k]: true if a part of kind k no longer fits on this sheet */
 } vs_nest_sheet;
 
-/* The sheet, form and place of a part. */
+/* Where a part lies: number of the sheet, form (the turned part), and move of the form. */
 typedef struct {
   uint32_t sheet;
   size_t form;
