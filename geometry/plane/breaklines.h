@@ -20,10 +20,9 @@ typedef struct {
   size_t triangle_count, room;
 } vs_breakline_mesh;
 
-/* Makes each given edge a side of triangles, by flips of sides. First adds the flat triangles at the border that GEOS
- * omits, so that the triangles cover the convex hull of the points. A point on an edge divides the edge. All other
- * sides become those of a constrained Delaunay triangulation (Sloan, 1993). *where: crossing of two given edges, or
- * beginning of an edge that could not be inserted. */
+/* Turns the triangulation into a constrained Delaunay triangulation (Sloan, 1993) that has each given edge as a side of
+ * triangles and covers the convex hull of the points. *where: crossing of two given edges, or beginning of an edge that
+ * could not be inserted. */
 vs_breaklines_outcome vs_breaklines_insert(vs_breakline_mesh *t, const uint32_t (*edges)[2], size_t edge_count,
                                                  vs_vec2 *where);
 

@@ -166,17 +166,15 @@ static vs_path_point spline_at(const vs_spline_work *w, size_t i, double t) {
                 vs_v3_scale(vs_v3_add(vs_v3_scale(m, 1 - 3 * a * a), vs_v3_scale(k, 3 * b * b - 1)), h / 6));
   vs_vec3 force = vs_v3_add(vs_v3_scale(m, a), vs_v3_scale(k, b)), ahead = vs_v3_unit(speed), behind = ahead;
   VS_ASSERT(i < w->n && t >= 0 && t <= 1);
-  if (vs_v3_length(speed) < STANDS) { /* true if the speed is practically 0; the mean speed is 1, because the parameter
-                                       * is about the length */
+  if (vs_v3_length(speed) < STANDS) { /* true if the speed at t is practically 0, as at a cusp */
     ahead = vs_v3_unit(force), behind = vs_v3_scale(ahead, -1);
     if (vs_v3_length(force) * h < STANDS) ahead = behind = vs_v3_unit(vs_v3_sub(k, m));
   }
   return (vs_path_point){ at, behind, ahead, 0 };
 }
 
-/* Adds samples between the parameters `from` and `to` of span i, from < to, so that the direction turns by at most a
- * certain angle from one sample to the next. Halves the range repeatedly, down to a cusp. most: cosine of that
- * angle. */
+/* Adds samples between the parameters `from` and `to` of span i, which is the piece of the spline between two knots.
+ * From one sample to the next, the direction turns by at most the angle with the cosine `most`. */
 static bool spline_turn(const vs_spline_work *w, size_t i, double from, double to, double most, vs_path *out) {
   struct { double to; int halvings; } parts[HALVINGS + 1] = { { to, 0 } }; /* stack of the ranges of the parameter that
                                                                             * are still to be sampled, the earliest on
@@ -266,8 +264,8 @@ done:
   return ok;
 }
 
-/* Enlarges b by the points of span i, mapped by a, at which a mapped coordinate is largest or smallest. Each coordinate
- * is a cubic polynomial of the parameter; its derivative is u t^2 + v t + w. */
+/* Enlarges the bounding box b by the points of span i, mapped by a, at which a mapped coordinate is largest or
+ * smallest. The derivative of each coordinate is u t^2 + v t + w. */
 static void spline_reach(const vs_spline_work *s, size_t i, const vs_affine *a, vs_bounds *b) {
   size_t j = i + 1 < s->n ? i + 1 : 0;
   vs_vec3 chord = vs_v3_sub(s->p[j], s->p[i]), m = vs_v3_scale(s->m[i], s->h[i] * s->h[i] / 6),
@@ -293,7 +291,7 @@ bool vs_spline_bounds(const struct vs_spline *s, const vs_affine *map, vs_bounds
   return ok;
 }
 
-/* ---- paths of nodes ---- */
+/* ---- sampling of curves of all kinds ---- */
 
 static void curve_place(vs_path *out, const vs_affine *map) {
   for (size_t i = 0; i < out->count; i++) {

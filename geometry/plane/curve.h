@@ -29,8 +29,8 @@ bool vs_spline_bounds(const struct vs_spline *s, const vs_affine *map, vs_bounds
 bool vs_curve_round(const struct vs_arc *a, bool circle, const vs_affine *map, const vs_fineness *f, vs_path *out);
 bool vs_path_of_polyline(const vs_polyline *p, vs_path *out); /* makes a path of a polyline; out must be empty; returns
                                                                * false when memory is out */
-/* Samples a curve of any kind, mapped by `placed`, through placements, materials and layers. Also samples the border of
- * a region of one loop (planar_evaluation.c). Returns false and sets e on failure. */
+/* Samples a curve of any kind, or the border of a region of one loop, and maps the samples by `placed`. Returns false
+ * and sets e on failure. */
 bool vs_curve_path(const vs_node *curve, const vs_affine *placed, const vs_fineness *f, vs_path *out, vs_error *e);
 bool vs_curve_is_straight(const vs_node *curve); /* returns true if the curve is a polyline, possibly placed */
 bool vs_polyline_from_path(const vs_path *path, vs_polyline *out);

@@ -16,7 +16,7 @@
 #include "model/store/array.h"
 
 /* An edge of a sampled curve, from a to b. `curve`: number of the curve; `place`: index of the edge in its loop;
- * `last`: greatest such index in this loop; `low`, `high`: range of x; `slack`: distance that counts as 0. */
+ * `last`: index of the last edge of this loop; `low`, `high`: range of x; `slack`: distance that counts as 0. */
 typedef struct { vs_vec2 a, b; size_t curve, place, last; double low, high, slack; } vs_cross_edge;
 
 
@@ -80,7 +80,7 @@ static bool cross_at_end(const vs_cross_edge *p, const vs_cross_edge *next_p, co
                          const vs_cross_edge *next_q) {
   double slack = fmax(p->slack, q->slack), dx = q->b.x - q->a.x, dy = q->b.y - q->a.y, length = hypot(dx, dy);
   double along = ((p->b.x - q->a.x) * dx + (p->b.y - q->a.y) * dy) / length;
-  /* Omits an end of p at the start of q: it is tested as lying at the end of the edge before q. */
+  /* Ignores an end of p at the start of q: the edge before q ends there, too, and is compared with p. */
   if (fabs(cross_side(q, p->b)) > slack || along <= slack || along > length + slack) return false;
   vs_vec2 v = p->b, in = { p->a.x - v.x, p->a.y - v.y }, out = { next_p->b.x - v.x, next_p->b.y - v.y };
   vs_vec2 end = along >= length - slack ? next_q->b : q->b, come = { q->a.x - v.x, q->a.y - v.y },
@@ -89,8 +89,8 @@ static bool cross_at_end(const vs_cross_edge *p, const vs_cross_edge *next_p, co
   return sure && one != other;
 }
 
-/* a and b touch. Returns true if one of these curves passes through the other: it has points clearly inside and points
- * clearly outside of it. Curves without such points coincide. */
+/* Curves a and b touch. Returns true if one of these curves passes through the other: it has points clearly inside and
+ * points clearly outside of it. Curves without such points coincide. */
 static bool cross_through(const vs_cross_search *s, size_t a, size_t b, vs_vec2 *at) {
   const vs_cross_edge *edges = s->edges;
   size_t count = s->edge_count;
@@ -179,7 +179,7 @@ static const vs_cross_edge *cross_next(const vs_cross_search *s, const vs_cross_
   return &s->edges[s->after[s->starts[p->curve] + p->place]];
 }
 
-/* Stores the pair of curves a and b, which touch, for cross_touching. */
+/* Stores that curves a and b touch. cross_touching compares all stored pairs later. */
 static void cross_note(vs_cross_search *s, size_t a, size_t b) {
   for (size_t i = 0; i < s->touch_count; i++)
     if (s->touches[i].a == a && s->touches[i].b == b) return;

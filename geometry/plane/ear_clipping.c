@@ -83,8 +83,8 @@ static void ring_wait_no_more(vs_ring *r, size_t c) {
   k->awaited = none;
 }
 
-static void ring_release(vs_ring *r, size_t c) { /* makes all corners that await corner c (member `awaited`) candidates
-                                                  * for ears again */
+static void ring_release(vs_ring *r, size_t c) { /* after corner c has been cut off or become convex: marks all corners
+                                                  * that await it (member `awaited`) as corners that may be ears */
   for (size_t w = r->ears[c].waiting; w != none; w = r->ears[c].waiting) {
     ring_wait_no_more(r, w);
     vs_marks_set(&r->open, r->ears[w].place, true);
@@ -117,8 +117,8 @@ static size_t ring_next_idle(vs_ring *r) {
   return none;
 }
 
-static void ring_look(vs_ring *r, size_t c) { /* updates the stored data of corner c after it or one of its neighbours
-                                               * has changed */
+static void ring_look(vs_ring *r, size_t c) { /* tests again whether corner c is reflex or may be an ear, after it or
+                                               * one of its neighbours has changed */
   bool reflex = ring_turn(r, r->corners[c].prev, c, r->corners[c].next) <= r->flat;
   ring_wait_no_more(r, c);
   if (!reflex) ring_release(r, c);
@@ -163,9 +163,8 @@ static void ring_cut(vs_ring *r, size_t ear) {
 
 /* ---- holes ---- */
 
-/* A link in a list of edges. The ring's edges are indexed by y: a binary tree divides the range of y into bands, and
- * each of its nodes has a list of edges. A downward edge is in the lists of the few nodes that together cover its
- * height. edge: the corner where the edge begins, even after holes are inserted. */
+/* A link in a list of edges of the ring. A binary tree divides the range of y into bands. An edge is in the lists of
+ * the few tree nodes that together cover its height. edge: corner where the edge begins. */
 typedef struct { uint32_t edge, next; } vs_band_link; /* next: index of the next link of the list, from 1 on; 0 marks
                                                        * the end */
 typedef struct {
@@ -229,10 +228,8 @@ static bool bands_add_loop(vs_bands *b, const vs_ring *r, size_t first, size_t s
 }
 
 /* A search for a corner of the ring to which h, the leftmost corner of a hole, can be joined by a bridge. A ray from h
- * towards -x hits an edge first, at `hit`; m is an end of this edge. The candidates are m and the corners within the
- * triangle of h, hit and m. The search chooses the candidate at the smallest angle to the ray; of equal angles the
- * nearest; of equal positions the smallest index. Differences below `blur` count as equal, so that no bridge passes a
- * corner so closely that rounding decides on which side. */
+ * towards -x hits an edge at `hit`; m is an end of this edge. The corner is searched for in the triangle of h, hit and
+ * m. */
 typedef struct {
   const vs_ring *ring;
   const uint32_t *copies;
@@ -291,8 +288,8 @@ static void sight_look(void *context, size_t point) {
   }
 }
 
-/* Chooses a corner of the ring at the position of a hole's corner: the one whose edges enclose the hole. Called for
- * each corner there. s->h: next corner of the hole. */
+/* Chooses, among the ring's corners at the position of a hole's corner, the corner whose edges enclose the hole. Called
+ * for each of these corners. s->h: next corner of the hole. */
 static void touch_look(void *context, size_t point) {
   vs_sight *s = context;
   for (size_t i = point;; i = s->copies[i] - 1) {
@@ -401,8 +398,8 @@ typedef struct {
   vs_hole *holes;
   vs_point_tree outside; /* tree of the holes' points; only corners of holes that are not joined yet are switched on */
   uint32_t *hole_of;     /* hole_of[i]: number of the hole that contains point i */
-  size_t *queue, queued; /* queue: holes that have been joined, and around which other holes that touch them must be
-                          * searched; queued: length of the queue */
+  size_t *queue, queued; /* queue: joined holes around which a search for other holes that touch them is still to be
+                          * made; queued: length of the queue */
   size_t start;          /* start: corner at which the ring (outer loop and joined holes) begins */
 } vs_joining;
 

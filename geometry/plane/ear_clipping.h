@@ -6,11 +6,9 @@
 
 typedef struct { double x, y; } vs_vec2;
 
-/* Triangulates an outer loop, counter-clockwise, and its holes, clockwise. Loop l has sizes[l] of the points `at`, in
- * order. Appends triangles to m whose vertices are index[i] for point i, clockwise if `turned`. Each edge of the loops
- * occurs once in its own direction and all other edges cancel, so that a mesh closed with such caps is closed, even if
- * a loop crosses itself. No edge passes through a collinear point. The time is n log n, plus the number of edges at the
- * height of each hole's leftmost corner. Returns false when memory is out. */
+/* Triangulates an outer loop, counter-clockwise, and its holes, clockwise; appends the triangles to m, clockwise if
+ * `turned`. Loop l has sizes[l] of the points `at`, in order; index[i] is the vertex of point i. A mesh closed with
+ * such caps is closed, even if a loop crosses itself. Returns false when memory is out. */
 bool vs_triangulate(const vs_vec2 *at, const size_t *sizes, size_t loop_count, vs_mesh *m, const uint32_t *index,
                     bool turned);
 

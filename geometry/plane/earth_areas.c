@@ -1,4 +1,5 @@
-/* Makes the earth around areas: all of a box except these areas and pieces that they enclose. */
+/* Computes the earth that drawings show around areas: a box without these areas and without the pieces that they
+ * enclose. */
 #include "geometry/plane/earth_areas.h"
 
 /* Returns true if a loop has a corner on the left, right or lower side of the box, or if `upper` is true, on its upper

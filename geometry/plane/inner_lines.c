@@ -55,7 +55,8 @@ static bool find_cuts(const vs_area *a, vs_vec2 p, vs_vec2 q, double slack, cuts
   return true;
 }
 
-/* The state while a line is traced. The line begins at point number `first` of the output. */
+/* The state of tracing a line, which is a part of the border of one area within another area. The line begins at point
+ * number `first` of the output. */
 typedef struct {
   vs_inner_lines *out;
   size_t first;
@@ -80,8 +81,8 @@ static bool end(tracer *t, bool closed) {
   return true;
 }
 
-/* Traces the lines along a loop. If an edge lies on the border of area a, starts there, so that no line continues
- * across the loop's start. */
+/* Traces the parts of a loop that lie within area a. If an edge lies on the border of a, starts there, so that no line
+ * continues across the loop's start. */
 static bool trace(const vs_area *a, const vs_vec2 *loop, size_t n, double slack, tracer *t) {
   size_t start = 0;
   cuts c = { 0 };

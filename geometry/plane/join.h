@@ -4,9 +4,9 @@
 
 #include "model/node.h"
 
-/* Joins open curves whose ends coincide within 1e-9 of their size, in the order of the curves. refs has *count curves;
- * closed ones are not changed. The joined curves replace their parts in refs, and *count becomes the new number; the
- * caller releases them. Returns false and sets e on failure; the caller then releases nothing. */
+/* Joins open curves whose ends coincide within 1e-9 of their size. refs has *count curves; the joined curves replace
+ * their parts in refs, *count becomes the new number, and the caller releases them. Returns false and sets e on
+ * failure; the caller then releases nothing. */
 bool vs_curves_join(vs_store *s, vs_ref *refs, size_t *count, vs_error *e);
 bool vs_curve_ends(const vs_node *curve, vs_vec3 *start, vs_vec3 *end, double *size, vs_error *e); /* finds the ends and
                                                                                                     * the size of a

@@ -22,7 +22,7 @@ typedef struct {
 typedef struct {
   const vs_ref *ref;
   uint32_t next;       /* index of the node's next child to evaluate */
-  size_t first;        /* index in the value stack of the first child's result */
+  size_t first;        /* index, in the stack of results, of the result of the node's first child */
   vs_affine map;       /* map from the coordinates of the node's children to the final position: the placements above
                         * the node */
   vs_affine after;     /* for an offset: map from the coordinates in which the offset is computed to the final
@@ -90,7 +90,8 @@ static bool hull_outline(const vs_node *n, const vs_affine *placed, const vs_fin
 
 static bool flat_fill(vs_flat *f, const vs_ref *ref, vs_flat_value *v);
 
-/* Evaluates ref: pushes the value of a leaf onto the stack of values, or a frame for a node with children. */
+/* Evaluates the node of ref: pushes the result of a leaf onto the stack of values, or pushes a node with children onto
+ * the stack of frames, where it waits for the children's results. */
 static bool flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs_fineness *facets) {
   for (;;) {
     const vs_node *n = ref->node;

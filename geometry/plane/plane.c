@@ -160,8 +160,8 @@ static plane_rule *const plane_rules[VS_KIND_COUNT] = { /* plane_rules[kind]: fu
 #include "geometry/kind_rules.def"
 };
 
-/* If a row of kind_rules.def is missing, this constant does not compile. Each kind except primitive solids must have a
- * row. */
+/* If a row of kind_rules.def (the rules of each kind of node) is missing, this constant does not compile. Each kind
+ * except primitive solids must have a row. */
 enum {
 #define VS_RULE(kind, plane, measure) RULE_OF_##kind,
 #include "geometry/kind_rules.def"

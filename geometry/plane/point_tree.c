@@ -108,9 +108,8 @@ static bool tree_beyond(const vs_point_box *b, vs_vec2 p, vs_vec2 q, double flat
   return vs_vec2_turn(p, q, most) < -2 * flat;
 }
 
-/* Returns a box that contains every point that counts as inside the triangle a, b, c. For such a point p, the triangles
- * of p and two corners have areas of at least -flat. Therefore none of these areas exceeds the area of a, b, c by more
- * than 2 * flat. */
+/* Returns a box that contains every point that counts as inside the triangle a, b, c. Such a point may lie slightly
+ * outside: its triangles with two of the corners have areas of at least -flat. */
 static vs_point_box tree_around(vs_vec2 a, vs_vec2 b, vs_vec2 c, double flat) {
   vs_point_box box = { fmin(a.x, fmin(b.x, c.x)), fmin(a.y, fmin(b.y, c.y)), fmax(a.x, fmax(b.x, c.x)),
                        fmax(a.y, fmax(b.y, c.y)), 0 };

@@ -6,9 +6,7 @@
 #include "geometry/plane/ear_clipping.h"
 
 /* A node of a binary tree of boxes. The points are sorted along a space-filling curve and divided into leaves of
- * POINT_TREE_LEAF points. `on`: number of switched-on points in the box. Making the tree takes n log n steps; switching
- * a point, as many steps as the tree is high. A search visits only boxes that intersect the triangle and contain
- * switched-on points. */
+ * POINT_TREE_LEAF points. `on`: number of switched-on points in the box. */
 typedef struct { double min_x, min_y, max_x, max_y; size_t on; } vs_point_box;
 typedef struct {
   const vs_vec2 *at;   /* positions, an array of the caller; point[i] is the index of item i's position in it */

@@ -20,8 +20,8 @@ typedef struct {
   size_t loop_count;
 } vs_skeleton_outline;
 
-#define VS_SKELETON_STEP SIZE_MAX /* value of a face's member `edge` if the face belongs to no edge of the outline: see
-                                   * vs_skeleton_face */
+#define VS_SKELETON_STEP SIZE_MAX /* value of the member `edge` of a vertical face between the faces of two edges that
+                                   * lie on one line and have different speeds */
 
 /* A face: one loop of corners, counter-clockwise as seen from above. The face of an edge with speed 0 is vertical. If
  * two edges on one line have different speeds, a vertical face lies between their faces; its member `edge` is
@@ -47,7 +47,7 @@ typedef enum {
                         * indices */
   VS_SKELETON_OPEN,    /* the edges' speeds are such that the moving edges never close the outline */
   VS_SKELETON_RING,    /* the face of an edge would surround other faces; only very different speeds cause this */
-  VS_SKELETON_FAILED,  /* the outline has details that are too small for the numbers */
+  VS_SKELETON_FAILED,  /* the outline has details that are too small for the accuracy of floating-point numbers */
   VS_SKELETON_MEMORY,
   VS_SKELETON_STOPPED /* the callback work.going returned false */
 } vs_skeleton_outcome;

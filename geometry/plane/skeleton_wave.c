@@ -26,7 +26,8 @@ typedef struct vs_wave_work {
   size_t cut_count, cut_room;
   vs_wave_segment *fresh; /* segments of the front (the moving outline) after the current event */
   size_t fresh_count, fresh_room;
-  /* position of each vertex or place; a place has the index of its first vertex */
+  /* at[i]: position of vertex i of the front; coinciding vertices form a place, which has the index of its first
+   * vertex */
   vs_wave_point *at;
   uint32_t *place, *node, *first;
   bool *touched;
@@ -278,7 +279,8 @@ static bool needs_step(const vs_wave_line *a, const vs_wave_line *b) {
          fabsl(a->speed - b->speed) > PARALLEL * fmaxl(a->speed, b->speed);
 }
 
-/* Makes the segments of the next front that begin at the vertex between the pieces `in` and number `out_index`. */
+/* Makes the segments of the next front that begin at the vertex between the piece `in` and the piece with the index
+ * out_index. */
 static bool add_vertex(vs_wave *w, const piece *in, uint32_t out_index) {
   work *k = w->work;
   const piece *out = &k->piece[out_index];
@@ -293,8 +295,8 @@ static bool add_vertex(vs_wave *w, const piece *in, uint32_t out_index) {
       set_way(w, in->line, step, k->at[out->from], &across);
       set_way(w, step, out->line, k->at[out->from], &s);
       if (!add_segment(k, across, &made)) return false;
-      k->fresh[made].next = made + 1; /* the step is followed by the segment that is added to the array directly after
-                                       * it */
+      k->fresh[made].next = made + 1; /* the vertical step between two faces is followed by the segment that is added to
+                                       * the array directly after it */
       k->piece[out_index].stepped = true;
     } else set_way(w, in->line, out->line, k->at[out->from], &s);
   }

@@ -4,9 +4,8 @@
 
 #include "geometry/plane/curve.h"
 
-/* A sampled curve with its directions. Between samples with different directions it is treated as an arc. The length of
- * a circle is then exact up to rounding. The error of a spline's length decreases with the fourth power of the distance
- * of samples. */
+/* A sampled curve with its directions. Between samples with different directions it is treated as an arc, so that the
+ * length of a circle is exact up to rounding. */
 typedef struct {
   vs_path path;
   double *along;   /* along[i]: arc length from the curve's start to sample i; an extra last element is the length of

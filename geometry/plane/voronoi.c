@@ -30,8 +30,8 @@ static int compare_along(const void *p, const void *q) { /* orders points for qs
   return a->z < b->z ? -1 : a->z > b->z;
 }
 
-/* Called if all points lie on one line, so that there are no triangles. Links each point to the next point along this
- * line. */
+/* Called if all points lie on one line, so that there are no triangles. Makes each point a neighbour of the next point
+ * along this line. */
 static bool links_along(const vs_vec2 *points, size_t n, link *links, size_t *count) {
   vs_vec3 *sorted = NULL;
   if (!VS_FRESH(sorted, n + 1)) return false;

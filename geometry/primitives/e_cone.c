@@ -7,7 +7,8 @@
 #include "geometry/primitives/shape.h"
 #include "geometry/primitives/solid_triangles.h"
 
-/* Returns the radius of the top along the Y axis of the axis's frame; the member top_radius is its radius along X. */
+/* Returns the radius of the top along Y of the cone's frame, whose Z is the cone's axis; the member top_radius is the
+ * radius along X. */
 static double top_across(const struct vs_e_cone *x) { return x->top_radius * (x->base_across / x->base_radius); }
 
 static bool e_cone_bounds(const vs_node *n, const vs_affine *a, vs_bounds *b, vs_error *e) {
@@ -27,8 +28,8 @@ static bool e_cone_triangles(const vs_node *n, const vs_fineness *f, vs_mesh *ou
   return vs_solid_oval_frustum(out, base, top, turn, true) || vs_error_memory(e, NULL);
 }
 
-/* This function computes the lateral area as (1 + k) / 2 times the circumference of an ellipse. The base has the half
- * axes a and b, the top k times these. At the scale w from 1 to k, the element of area is w sqrt(h^2 (b^2 cos^2 + a^2
+/* The lateral area is (1 + k) / 2 times the circumference of an ellipse. The base has the half axes a and b, the top k
+ * times these, and the height is h. At the scale w from 1 to k, the element of area is w sqrt(h^2 (b^2 cos^2 + a^2
  * sin^2) + (k - 1)^2 a^2 b^2). */
 static bool e_cone_measure(const vs_node *n, bool area, vs_measure *m, vs_error *e) {
   const struct vs_e_cone *x = VS_AS(e_cone, n);

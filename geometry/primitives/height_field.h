@@ -6,8 +6,7 @@
 #include "model/node.h"
 
 /* Appends the mesh of height field h: two triangles for each cell of the grid, walls, and a floor at the height h->low.
- * Each cell is divided along the diagonal from its corner with the least indices to the opposite one. Triangles whose
- * three samples are on the floor are omitted. Returns false when memory is out. */
+ * Omits triangles whose three samples are on the floor. Returns false when memory is out. */
 bool vs_height_field_mesh(vs_mesh *out, const struct vs_height_field *h);
 
 #endif

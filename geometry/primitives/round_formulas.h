@@ -11,8 +11,8 @@ void vs_frustum_measure(vs_measure *m, vs_vec3 base, double r, vs_vec3 top, doub
  * frame with the axis as Z. */
 bool vs_frustum_holds(vs_vec3 q, double height, double base_radius, double top_radius);
 
-/* The functions of vs_shape that the cylinder, the cone and the cut cone share. All three are cut cones, with equal
- * radii or a radius of 0. */
+/* The functions of vs_shape for a cylinder, cone or cut cone; each treats n as a cut cone, with equal radii or a radius
+ * of 0. */
 bool vs_round_bounds(const vs_node *n, const vs_affine *a, vs_bounds *b, vs_error *e);
 bool vs_round_triangles(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e);
 bool vs_round_measure(const vs_node *n, bool area, vs_measure *m, vs_error *e);

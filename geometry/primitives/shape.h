@@ -33,9 +33,9 @@ typedef struct {
   /* Returns n with its faces moved outwards by about `by`, or NULL when memory is out. The function is NULL if the kind
    * has no formula for it. */
   vs_node *(*grown)(vs_store *s, const vs_node *n, double by);
-  /* Returns n as a union of simpler shapes, for formats that have sets but not this kind. The parts are of kinds
-   * without such a function. Returns NULL and sets *fits to false if triangles are better for n; returns NULL with
-   * *fits true when memory is out. The member is NULL if triangles are better for all nodes of the kind. */
+  /* Returns n as a union of simpler shapes, for file formats without this kind. Returns NULL and sets *fits to false if
+   * triangles are better for n; returns NULL with *fits true when memory is out. The member is NULL if triangles are
+   * better for all nodes of the kind. */
   vs_node *(*parts)(vs_store *s, const vs_node *n, const vs_origin *origin, bool *fits);
 } vs_shape;
 
