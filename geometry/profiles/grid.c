@@ -79,7 +79,7 @@ static double grid_distance(const vs_mesh *m, uint32_t a, uint32_t b) {
   return vs_v3_dot(d, d);
 }
 
-/* Returns true if q comes before p by the coordinate in which they differ clearly. */
+/* Returns true if q has a smaller coordinate than p: of x, y and z, the first one in which they differ clearly. */
 static bool comes_before(vs_vec3 q, vs_vec3 p) {
   double d[3] = { q.x - p.x, q.y - p.y, q.z - p.z }, most = fmax(fabs(d[0]), fmax(fabs(d[1]), fabs(d[2])));
   int axis = 0;

@@ -22,20 +22,20 @@ typedef struct {
                         * NULL: the plane is computed from the points of the row */
   const bool *by_number; /* If not NULL: direction of the diagonals of the cells between row r and the next.
                           * by_number[r] is true if they go from the lower column to the higher column. */
-  bool shared;         /* true if another grid may have the same cells, in the opposite order: diagonals of equal length
-                        * are then chosen by position */
+  bool shared;         /* true if a grid of a neighbouring solid may have the same cells, with their points in the
+                        * opposite order; the position then decides between diagonals of equal length, so that both
+                        * grids are cut in the same way */
   uint32_t *numbers;   /* If not NULL: receives the index of the vertex at each point, row by row. If the grid is
                         * joined, the vertices of the first row follow again at the end. */
 } vs_quad_grid;
 
 /* Appends the triangles of the grid. They face away from the side from which the loops of a row are counter-clockwise.
- * Neighbouring points at one position become one vertex, so poles and apexes are closed. A joined grid has common
- * vertices where its last row meets the first. Returns false when memory is out. */
+ * Neighbouring points at one position become one vertex. Returns false when memory is out. */
 bool vs_grid_mesh(const vs_quad_grid *g, vs_mesh *out);
 
-/* Tests how the cell between the points p and q of two neighbouring rows is cut: returns true for the diagonal from the
- * lower q to the higher p, which is then the shorter one. Equal diagonals of a cell that is not planar are chosen by
- * position. The cut is then the same with q and p in the opposite order. low, high: the points of the rows. */
+/* Returns true if the cell between the points p and q of two neighbouring rows is cut along the diagonal from the lower
+ * q to the higher p, which is then the shorter one. A swap of p and q does not change the cut. low, high: the points of
+ * the rows. */
 bool vs_grid_cut(vs_vec3 low_p, vs_vec3 low_q, vs_vec3 high_p, vs_vec3 high_q);
 
 /* Loops of a row, one after another, in the coordinates of the row's plane. Outer loops are counter-clockwise, and each

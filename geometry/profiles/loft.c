@@ -341,8 +341,8 @@ static double loft_least_twist(const loft_line *a, double from, const loft_line 
   return fine - floor(fine);
 }
 
-/* Finds the point of loop b that matches point `from` of loop a so that the wall is twisted least. *best: its index.
- * The loops have equal numbers of points, which are matched one by one. Returns false when interrupted. */
+/* Finds the point of loop b that matches point `from` of loop a so that the wall between the loops is twisted least.
+ * *best: index of that point. The loops have equal numbers of points. Returns false when interrupted. */
 static bool loft_least_twist_index(const loft_line *a, size_t from, const loft_line *b, vs_store *s, size_t *best,
                                    vs_error *e) {
   size_t n = b->count, stride = n / 512 + 1;
@@ -369,9 +369,9 @@ static int loft_compare(const void *a, const void *b) {
 
 #define LOFT_NEAR 1e-5 /* fraction of a loop's length: parameters of points that differ by less count as equal */
 
-/* Lists, in ascending order from 0, the parameters at which all sections get points: those of every point of every
- * section. If there are too many, lists the parameters of corners, and equal steps, as many as the finest section has
- * points. Returns their number, or 0 when memory is out. */
+/* Lists, in ascending order from 0, the parameters (fractions of the length) of every point of every section, or
+ * fewer if there would be too many. All sections get points there. Returns the number of parameters, or 0 when
+ * memory is out. */
 static size_t loft_places(const loft_line *lines, const double *shift, size_t count, double **out) {
   size_t total = 2, most = 0, kept = 0;
   for (size_t i = 0; i < count; i++) {
@@ -444,7 +444,8 @@ static bool loft_match_loop(vs_store *store, const loft_sections *all, size_t l,
     m->shift[i] = 0;
     m->start[i] = 0;
     if (s[i].point || s[i].open || i == first) continue;
-    /* before: the line `last` in its own plane; `last` itself is rotated into the plane of the section before it. */
+    /* before: loop l of section `last` in its own plane; m->lines[last] is the same loop, rotated into the plane of the
+     * section before it. */
     loft_line before;
     vs_affine identity = vs_affine_identity();
     ok = (loft_line_make(&s[last].outline.loops[l], &identity, &before) || vs_error_memory(e, NULL)) &&

@@ -31,7 +31,6 @@ bool vs_loft_match(const vs_node *n, size_t count, const vs_fineness *f, vs_loft
 /* -- declarations for loft_guided.c and loft_mesh.c alone -- */
 
 typedef struct { vs_vec3 *at; size_t rows, room, columns; } vs_loft_rows;
-/* Appends the rows between section i and the next section to out, for a loft without guides. */
 /* The slopes of a smooth loft at its sections. A piece is the part of the wall between two rows; its parameter goes
  * from 0 to 1. `slope_out`: derivatives at the points of a row for the piece that begins there; `slope_in`: for the
  * piece that ends there. */

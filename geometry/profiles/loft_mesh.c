@@ -84,10 +84,9 @@ double vs_loft_hermite_steps(vs_vec3 p, vs_vec3 q, vs_vec3 m, vs_vec3 k, const v
 
 /* ---- lines of the wall ---- */
 
-/* Computes into how many pieces, k, the wall between two rows must be cut; returns k, 1 to 64, for all rows. Between
- * lines that are not parallel the wall is a saddle: two triangles deviate from its middle by a quarter of its twist,
- * and the error decreases with the number of pieces in both directions. `edges[c]`: receives the number of pieces of
- * each section's edge at column c; unused for the last column of an open loop. */
+/* Returns the number of pieces, 1 to 64, into which the wall between two rows must be cut for the tolerance. A wall
+ * between lines that are not parallel is a saddle. `edges[c]`: receives the number of pieces of each section's edge at
+ * column c. */
 static double loft_saddle(const vs_loft *l, const vs_fineness *f, uint32_t *edges) {
   enum { MOST = 64 };
   double most = 0;

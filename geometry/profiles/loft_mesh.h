@@ -10,8 +10,8 @@ bool vs_loft_mesh(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error
 vs_vec3 *vs_loft_rows_add(vs_loft_rows *r); /* makes room for another row of points and returns it; returns NULL when
                                              * memory is out */
 /* Returns the slope at a point between two pieces of a curve. a, b: mean slopes of the pieces before and after it; h,
- * k: their lengths. If a and b are equal, the slope equals them; if the curve turns, the slope is that of a circle. It
- * is zero if a or b is zero or they are opposite, so that the curve never overshoots its ends. */
+ * k: their lengths. The slope is zero if a or b is zero or they are opposite, so that the curve never overshoots its
+ * ends. */
 vs_vec3 vs_loft_slope(vs_vec3 a, vs_vec3 b, double h, double k);
 /* Returns the slope at the free end of a piece of a curve. It is that of a parabola: a is the mean slope of the piece,
  * and m the slope at its other end. */

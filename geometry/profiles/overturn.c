@@ -36,9 +36,8 @@ bool vs_overturns(const vs_swept *s, const vs_vec3 *at, size_t step, double size
   return false;
 }
 
-/* For a step (from one section to the next), returns the difference between the greatest and the least distance by
- * which points of the profile go forwards. Returns 0 if no point goes backwards by more than a quarter of the
- * tolerance. */
+/* Returns the difference between the greatest and the least distance by which points of the profile go forwards in a
+ * step, from one section to the next. Returns 0 if no point goes backwards by more than a quarter of the tolerance. */
 static double rises_differ(const vs_swept *s, size_t step, double tolerance) {
   const vs_section *a = &s->sections[step], *b = &s->sections[(step + 1) % s->section_count];
   vs_vec3 way = way_of(s, step);
@@ -81,8 +80,7 @@ void vs_overturn_tightest(const vs_swept *s, const vs_vec3 *near, vs_vec3 *at, d
 }
 
 /* MOST: greatest number of parts into which a step is divided. HALVES: greatest number of halvings of a step at an end
- * of the sweep or at a corner; each of the new steps there is half as long as the one before it. A tetrahedron extends
- * beyond its step, which only at ends and corners no other step covers. */
+ * of the sweep or at a corner, where no other step covers a tetrahedron that extends beyond its step. */
 enum { MOST = 64, HALVES = 16 };
 typedef struct { double at[MOST + 2 * HALVES]; size_t count; } parts;
 
@@ -125,7 +123,7 @@ static bool divide(vs_swept *s, const parts *divided) {
   s->sections = fine;
   s->section_count = count;
   s->section_room = room;
-  free(s->stride); /* the rows are no longer equal steps */
+  free(s->stride); /* the steps are no longer equal, so no point can skip sections regularly */
   s->stride = NULL;
   return true;
 }

@@ -5,18 +5,18 @@
 #include "geometry/profiles/swept.h"
 
 /* Returns true if a part of the profile goes backwards from section `step` to the next section. `at`: the points of all
- * sections, one section after another; for a joined sweep, those of the first section follow again. `size`: size of the
- * sweep. The sections' x and y are right-handed about the path's direction. */
+ * sections in order, at the end of a joined sweep those of the first again. `size`: size of the sweep. The sections' x
+ * and y are right-handed about the path's direction. */
 bool vs_overturns(const vs_swept *s, const vs_vec3 *at, size_t step, double size);
 
-/* Divides steps (from one section to the next) in which a part of the profile goes backwards, as far as the tolerance
- * requires: those with marked[r], or all if marked is NULL. Such a step is filled with tetrahedra, which deviate from
- * the sweep by a quarter of the difference between the distances of their corners. Returns false when memory is out. */
+/* Divides the steps in which a part of the profile goes backwards, as far as the tolerance requires. A step is the part
+ * between two neighbouring sections. marked[r]: true if step r may be divided; NULL: all may. Returns false when memory
+ * is out. */
 bool vs_overturn_refine(vs_swept *s, const bool *marked, double tolerance);
 
 /* Finds the bend that limits the size of the profile most, or if `near` is not NULL, the bend nearest to this point.
- * *at: position of the bend on the path; *fits: factor by which the profile must be scaled down there. If no bend is
- * too tight, *at and *fits are not changed. */
+ * *at: position of the bend; *fits: factor by which the profile must be scaled down there. Both stay unchanged if no
+ * bend is too tight. */
 void vs_overturn_tightest(const vs_swept *s, const vs_vec3 *near, vs_vec3 *at, double *fits);
 
 /* The vertices of a sweep's mesh. `numbers[r * n + i]`: vertex of point i in row r. `turns[r]`: true if a part of the

@@ -15,9 +15,9 @@ typedef struct {
   bool closed_u, closed_v;
 } vs_point_grid;
 
-/* Makes a node of the kind VS_GRID_MESH or VS_GRID_SURFACE. Borders of the grid that coincide within 1e-9 of its size
- * become one border, and a border whose points coincide becomes one point. If this closes the surface, the node is a
- * solid. If all points are collinear, returns the empty node. Returns NULL and sets e on failure. */
+/* Makes a node of the kind VS_GRID_MESH or VS_GRID_SURFACE. Joins borders of the grid that coincide within 1e-9 of its
+ * size; if this closes the surface, the node is a solid. Returns the empty node if all points are collinear. Returns
+ * NULL and sets e on failure. */
 vs_node *vs_surface_make(vs_store *s, vs_kind kind, const vs_point_grid *grid, vs_error *e);
 /* Appends the triangles of grid node n to out. They face outwards if n is a solid, else in the direction (next row -
  * row) x (next column - column). Returns false when memory is out. */

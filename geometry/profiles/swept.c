@@ -132,10 +132,9 @@ static vs_vec3 swept_lean(const vs_path_point *p, vs_vec3 way) {
   return vs_v3_sub(vs_v3_scale(m, 1 / vs_v3_dot(way, m)), way);
 }
 
-/* Returns the lean (inclination vector) of the section at the fraction t, 0 < t < 1, between the path points p and
- * q. It decreases from the mitre at each end, and is 0 beyond twice the mitre's extent along the path; if p and q
- * are nearer, it changes linearly. Sections perpendicular to the path would pass the mitre on the inner side of a
- * corner. */
+/* Returns the lean (inclination vector) of the section at the fraction t, 0 < t < 1, between the path points p and q.
+ * It decreases with the distance from the corners, so that sections near a corner do not pass the mitre on its inner
+ * side. */
 static vs_vec3 swept_lean_between(const vs_path_point *p, const vs_path_point *q, double t, double reach) {
   vs_vec3 a = swept_lean(p, p->leaving), b = swept_lean(q, q->arriving);
   double length = vs_v3_length(vs_v3_sub(q->at, p->at)), from = 2 * reach * vs_v3_length(a) / length,
@@ -228,9 +227,8 @@ static bool swept_stand(const vs_upright *u, const vs_path *path, vs_vec3 *x, vs
   return true;
 }
 
-/* Returns the angle in radians by which an upright profile turns at a corner of the path. The mitre plane mirrors a
- * profile that is upright after the corner to one that is turned by this angle before it. Therefore the profile turns
- * evenly along the arm before the corner. */
+/* Returns the angle in radians by which an upright profile must turn before a corner of the path, because the mitre
+ * plane of the corner mirrors the profile. */
 static double swept_spin(const vs_upright *u, const vs_path_point *corner) {
   if (vs_v3_equal(corner->arriving, corner->leaving) || swept_turns_back(corner)) return 0;
   vs_vec3 a = corner->arriving, m = vs_v3_add(a, corner->leaving), before = swept_stood(u, a),
@@ -254,12 +252,12 @@ typedef struct {
   double reach;              /* greatest distance of the profile's points from `base` */
 } swept_way;
 
-/* A stretch of the path: the number of its coarse steps, and the angle by which an upright profile turns until the
- * corner at its end. */
+/* A stretch, which is the part of a path between two of its points: the number of its coarse steps, and the angle by
+ * which an upright profile turns until the corner at its end. */
 typedef struct { size_t steps; double spin; } swept_stretch;
 
-/* Returns stretch i of a path for a profile that turns by `twist` radians along the whole. *step: rotation in radians
- * in each of its coarse steps. */
+/* Returns stretch i of a path, from its point i to the next point, for a profile that turns by `twist` radians along
+ * the whole path. *step: rotation in radians in each coarse step of the stretch. */
 static swept_stretch swept_stretch_of(const vs_path *path, size_t i, const vs_upright *upright, double twist,
                                       const vs_fineness *f, double *step) {
   const vs_path_point *p = &path->at[i], *q = &path->at[i + 1 < path->count ? i + 1 : 0];
@@ -285,7 +283,8 @@ static size_t swept_steps(const vs_path *path, size_t stretches, const vs_uprigh
   return count;
 }
 
-/* Returns how often the coarse steps are halved, `count` in number: less often if there would be too many points. */
+/* Returns how often each of the `count` coarse steps must be halved for the tolerance; less often if there would be too
+ * many points. */
 static int swept_halvings(const vs_swept *s, const vs_twist *turning, size_t count, const vs_fineness *f) {
   int n = vs_twist_halvings(f, turning->step, turning->reach * fmax(1, fabs(turning->scale)));
   while (n > 0 && ldexp((double)count * (double)s->profile_count, n) > VS_SWEPT_POINTS_MOST) n--;
@@ -300,8 +299,8 @@ typedef struct {
   const swept_way *way;
 } swept_points;
 
-/* Adds `count` sections between point i and the next, which divide this step equally. The sections depend on the two
- * points alone: sweeps with more and with fewer of them have the others in common. Returns false when memory is out. */
+/* Adds `count` sections between point i of the path and the next, at equal distances. They depend on these two points
+ * alone. Returns false when memory is out. */
 static bool swept_between(vs_swept *s, const swept_points *on, size_t i, size_t count) {
   if (!count) return true;
   size_t next = i + 1 < on->path->count ? i + 1 : 0;
@@ -336,8 +335,8 @@ static bool swept_closing(const vs_path *path, vs_vec3 x, double *closing) {
   return carried != NULL;
 }
 
-/* Divides the walls between the sections as the tolerance requires. Sets s->dense instead if the sweep is not dense,
- * and must be. bends: true if walls may be curved without a twist. Returns false when memory is out. */
+/* Divides the walls between the sections as the tolerance requires; or only sets s->dense, if all points must become
+ * vertices of all sections. bends: true if walls may be curved without a twist. Returns false when memory is out. */
 static bool swept_walls(vs_swept *s, const vs_twist *turning, int halvings, bool bends, const vs_fineness *f) {
   bool shared = !s->dense && !s->seam, ok = true; /* shared: whether each wall depends on its edge alone */
   bool strides = shared && turning->scale > 0;
@@ -348,7 +347,8 @@ static bool swept_walls(vs_swept *s, const vs_twist *turning, int halvings, bool
   for (size_t i = 0; strides && i < s->section_count; i++) strides = !s->sections[i].ends;
   if (ok && strides) ok = vs_twist_strides(s, turning, halvings, f);
   if (ok && bends) ok = shared ? vs_swept_flatten_edges(s, f) : vs_swept_flatten_steps(s, f);
-  if (ok && strides) ok = vs_twist_strides(s, turning, halvings, f); /* the profile may have more points now */
+  if (ok && strides) ok = vs_twist_strides(s, turning, halvings, f); /* repeated, because the edges may have been
+                                                                      * divided, so that the profile has more points */
   return ok && (!s->filled || vs_overturn_refine(s, NULL, f->tolerance));
 }
 

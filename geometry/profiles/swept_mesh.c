@@ -75,7 +75,8 @@ static size_t piece_end(const vs_swept *s, size_t first) {
 /* A column of the wall: the point of the profile with this index. */
 typedef struct { const vs_swept *s; const laid *l; size_t point; } column;
 
-/* Returns the vertex of the column in row r, a multiple of its stride. */
+/* Returns the vertex of the column's point in row r. r is a multiple of the stride, the distance between rows in which
+ * the point has a vertex. */
 static uint32_t vertex_of(const column *c, size_t r) {
   return c->l->numbers[r % c->s->section_count * c->s->profile_count + c->point];
 }
@@ -84,8 +85,8 @@ static bool add_facet(vs_mesh *out, bool turned, const uint32_t v[3]) {
   return vs_mesh_add_triangle(out, v[0], v[turned ? 2 : 1], v[turned ? 1 : 2]);
 }
 
-/* Adds the triangles between rows r and r + S, the stride of the column p. The column q has the same stride or a
- * smaller one. turned: true if p follows q in the profile. The triangles are the same with p and q in either order. */
+/* Adds the triangles between the columns p and q, from row r to row r + S. S is the stride of p, the distance between
+ * rows in which p has a vertex; that of q is equal or smaller. turned: true if p follows q in the profile. */
 static bool strip_block(const column *p, const column *q, size_t r, bool turned, vs_mesh *out) {
   size_t coarse = p->s->stride[p->point], fine = q->s->stride[q->point], middle = r + coarse / fine / 2 * fine;
   uint32_t low = vertex_of(p, r), high = vertex_of(p, r + coarse);

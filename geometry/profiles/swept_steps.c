@@ -98,7 +98,7 @@ static double distance_of(vs_vec2 base, vs_vec2 p, vs_vec2 q) {
   return hypot(p.x + dx * t - base.x, p.y + dy * t - base.y);
 }
 
-/* Sets pieces[i] for the edge from each point i of the profile to the next. */
+/* Sets pieces[i] to the number of pieces into which the edge from point i of the profile to the next is divided. */
 static void divide_edges(const vs_swept *s, const vs_twist *way, const vs_fineness *f, size_t *pieces) {
   enum { MOST = 2000 };
   double widest = fmax(1, fabs(way->scale));

@@ -14,37 +14,41 @@ typedef struct {
   vs_vec2 base; /* the point about which the profile turns */
   double reach; /* greatest distance of the profile's points from the base */
   double turn;  /* rotation along the whole path in radians, >= 0, without that of an upright profile */
-  double step;  /* greatest rotation in radians in a coarse step of the path: the same for all profiles */
+  double step;  /* greatest rotation in radians in a coarse step of the path (a step before any halving) */
   size_t rows;  /* number of steps of the whole path by which all edges are divided; 0: each edge is divided by the
                  * steps of its own points */
 } vs_twist;
 
 /* Returns n rounded up, at least 1 and at most `most`. */
 size_t vs_steps_count(double n, size_t most);
-/* Returns the number of coarse steps, at least 1, for a rotation by `angle`. */
+/* Returns the number of coarse steps (steps before any halving), at least 1, for a rotation by `angle`. */
 size_t vs_twist_coarse(const vs_fineness *f, double angle);
 /* Returns how often coarse steps must be halved, so that a point at the distance r from the base stays within the
  * tolerance. */
 int vs_twist_halvings(const vs_fineness *f, double step, double r);
-/* Returns the greatest distance from the base for which so many halvings suffice. step > 0. */
+/* Returns the greatest distance from the base for which the given number of halvings of a coarse step suffices. step >
+ * 0. */
 double vs_twist_reach(const vs_fineness *f, double step, int halvings);
-/* Sets twist->rows so that all points have rows in about as many steps as the longest edge has pieces. */
+/* Sets twist->rows, the number of steps by which all edges are divided, to about the number of pieces of the longest
+ * edge. */
 void vs_twist_rows(const vs_swept *s, vs_twist *twist, const vs_fineness *f);
 /* Returns the number of parts into which each of `count` coarse steps is divided for twist->rows rows. */
 size_t vs_twist_parts(const vs_twist *twist, size_t count, const vs_fineness *f);
-/* Divides the edges of the profile. Returns false when memory is out. */
+/* Divides the edges of the profile into pieces, as the tolerance requires for the twisted walls. Returns false when
+ * memory is out. */
 bool vs_twist_divide(vs_swept *s, const vs_twist *twist, const vs_fineness *f);
-/* Sets s->stride for rows that are coarse steps with so many halvings. Returns false when memory is out. */
+/* Sets s->stride, for each point the distance between rows in which it has a vertex. A row belongs to each part of a
+ * coarse step after the given number of halvings. Returns false when memory is out. */
 bool vs_twist_strides(vs_swept *s, const vs_twist *twist, int halvings, const vs_fineness *f);
 
-/* The next two functions divide walls that are not planar. An upright profile turns where its path climbs out of a
- * bend. A profile that grows or shrinks between two mitres has curved walls, too. Afterwards the triangles of these
- * walls deviate from them by at most the tolerance. Both return false when memory is out. */
+/* ---- walls that are not planar: of an upright profile where its path climbs out of a bend, of a profile that grows or
+ * shrinks ---- */
 
-/* Divides the edges of the profile into pieces, by the wall of each edge alone. */
+/* Divides the edges of the profile into pieces, so that triangles deviate from walls that are not planar by at most the
+ * tolerance. Returns false when memory is out. */
 bool vs_swept_flatten_edges(vs_swept *s, const vs_fineness *f);
-/* Divides the parts of a path between neighbouring sections into n steps and the edges into k pieces; the deviation
- * decreases with n k. If the sweep has a seam, the edges are not divided. */
+/* Divides the steps of the path, and the edges of a profile without a seam, so that triangles deviate from walls that
+ * are not planar by at most the tolerance. Returns false when memory is out. */
 bool vs_swept_flatten_steps(vs_swept *s, const vs_fineness *f);
 
 #endif
