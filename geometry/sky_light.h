@@ -12,10 +12,9 @@
 #define VS_TURBIDITY_LEAST 2
 #define VS_TURBIDITY_MOST 10
 
-/* The distribution of the sky's luminance Y in cd/m2 and of its chromaticities x and y (CIE 1931). theta is the angle
- * of a direction from the zenith, gamma its angle from the sun. Each quantity is scale (1 + A exp(B / cos theta)) (1 +
- * C exp(D gamma) + E cos^2 gamma). The formula is that of R. Perez, R. Seals and J. Michalsky, Solar Energy 50(3),
- * 1993. */
+/* The distribution of the sky's luminance Y in cd/m2 and of its chromaticities x and y (CIE 1931). Each is scale (1 + A
+ * exp(B / cos theta)) (1 + C exp(D gamma) + E cos^2 gamma), by R. Perez, R. Seals and J. Michalsky, Solar Energy 50(3),
+ * 1993. theta, gamma: angles of a direction from the zenith and from the sun. */
 typedef struct {
   vs_vec3 sun;                                   /* unit vector towards the sun, not below the horizon */
   struct { double scale, a, b, c, d, e; } of[3]; /* coefficients for the luminance Y (of[0]) and the chromaticities x
@@ -23,8 +22,8 @@ typedef struct {
 } vs_sky_light;
 
 /* Returns the clear sky. turbidity: from VS_TURBIDITY_LEAST to VS_TURBIDITY_MOST; sun: unit vector towards the sun.
- * With the sun below the horizon, the sky has the colours of sunrise and is darker; from -6 degrees downwards, a
- * horizontal surface has the measured illuminance of twilight. */
+ * With the sun below the horizon, the sky has the colours of sunrise and the measured illuminance of twilight from -6
+ * degrees downwards. */
 vs_sky_light vs_sky_light_of(double turbidity, vs_vec3 sun);
 /* Returns the overcast sky; sun: unit vector towards the sun, which the clouds hide. The zenith is three times as
  * bright as the horizon. A horizontal surface has 300 + 21000 sin a lx, where a is the sun's altitude. */

@@ -9,8 +9,8 @@
 #include "model/node.h"
 
 /* Appends the triangles of a solid or surface, in the node's own coordinates, to out. The mesh of a solid is closed and
- * oriented. The node is no operation such as a boolean: its kind has a level up to SWEPT in prims.def, or is TRANSFORM,
- * MATERIAL or LAYER above such a kind. Returns false and sets e on failure. */
+ * oriented. The node's kind has a level up to SWEPT in prims.def, or is a placement, material or layer of such a node.
+ * Returns false and sets e on failure. */
 bool vs_tessellate(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e);
 
 /* ---- the bends of sweeps, and of pipes along a curve; placements may be around these ---- */
@@ -35,8 +35,8 @@ bool vs_bends_mesh(const vs_bends *b, vs_mesh *out);
  * meshes and their array. Returns false when memory is out. */
 bool vs_bends_runs(const vs_bends *b, size_t steps, vs_mesh **runs, size_t *count);
 /* Writes at most `most` random points to out, from the steps in which a part of the profile goes backwards; *count:
- * number of points. A point may lie beside the sweep, because tetrahedra fill such a step. Equal sweeps have equal
- * points. Returns false when memory is out. */
+ * number of points. A point may lie beside the sweep. Equal sweeps have equal points. Returns false when memory is
+ * out. */
 bool vs_bends_samples(const vs_bends *b, vs_step_point *out, size_t most, size_t *count);
 /* The tightest bend of a path. fits: factor by which the profile must be scaled down to fit into the bend, 1 if it
  * fits. */
@@ -51,8 +51,7 @@ void vs_bends_tightest(const vs_bends *b, const vs_vec3 *near, vs_bend *out);
 /* ---- hulls ---- */
 
 /* Appends points to out whose convex hull is the node `hull`, in its own coordinates: the corners of its parts, sampled
- * with the fineness f. Parts are no sets of solids other than unions, because the kernel has meshed these before
- * (solids/resolve.h). Returns false and sets e on failure. */
+ * with the fineness f. The parts contain no booleans except unions. Returns false and sets e on failure. */
 bool vs_hull_points(const vs_node *hull, const vs_fineness *f, vs_cloud *out, vs_error *e);
 
 #endif

@@ -216,8 +216,8 @@ static bool cancel(vs_wave *w) {
   return true;
 }
 
-/* Ends the ways of the vertices at touched places (positions with several vertices), and records them as edges of
- * faces. */
+/* Ends the straight paths of the vertices at touched places (positions with several vertices), and records these paths
+ * as edges of faces. */
 static bool end_ways(vs_wave *w) {
   work *k = w->work;
   for (uint32_t i = 0; i < w->count; i++) {

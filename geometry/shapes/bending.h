@@ -7,8 +7,8 @@
 #include "model/mesh.h"
 #include "model/node.h"
 
-enum { VS_BEND_LOOKS = 2 }; /* number of wrappers around a leaf that its bent mesh keeps: the innermost material and the
-                             * innermost layer */
+enum { VS_BEND_LOOKS = 2 }; /* number of nodes around a leaf that its bent mesh gets, too: the innermost material and
+                             * the innermost layer */
 
 typedef struct {
   vs_mesh mesh; /* mesh of the leaf before the bending; for a curve, it has only vertices */

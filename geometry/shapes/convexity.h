@@ -13,8 +13,8 @@ typedef struct {
   vs_vec3 axis;
   double angle; /* greatest angle of such a direction from `axis`, in radians, at most pi */
 } vs_normal_cap;
-/* Sets caps[v] for each vertex v of a triangle; of several vertices at one position, only for the first. caps has an
- * element for each vertex of the mesh. Returns false when memory is out. */
+/* Sets caps[v], the cone of directions in which vertex v is the mesh's farthest point, for each vertex v of a triangle;
+ * of several vertices at one position, only for the first. Returns false when memory is out. */
 bool vs_mesh_normal_caps(const vs_mesh_edges *s, vs_normal_cap *caps);
 
 /* Convex polygons, one after another, counter-clockwise as seen from outside. */

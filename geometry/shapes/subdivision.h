@@ -25,9 +25,9 @@ typedef struct {
   bool limit;
 } vs_subdivision;
 
-/* Replaces the faces of l by subdivided faces. Faces meet only at points with one index. Loop's scheme first divides
- * polygons into fans of triangles. how->levels is at least 0. Returns false when memory is out, or the caller
- * interrupts. */
+/* Replaces the faces of l by subdivided faces. Two faces are neighbours only if they have common point indices. Loop's
+ * scheme first divides polygons into triangles. how->levels is at least 0. Returns false when memory is out, or the
+ * caller interrupts. */
 bool vs_subdivide(vs_face_list *l, const vs_subdivision *how, vs_long_work work);
 
 #endif

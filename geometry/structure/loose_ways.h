@@ -7,9 +7,9 @@
 /* The stiffness of a node against its own displacements and rotations, in global axes: a symmetric matrix. */
 typedef double vs_node_stiffness[VS_WAYS][VS_WAYS];
 
-/* Finds the directions in which the node's stiffness b does not resist, among the degrees of freedom that are not held.
- * Writes them to motion, orthogonal to each other, and returns their number. Replaces b by a stiffness that resists
- * only them. unturned[i]: true if degree of freedom i is a rotation that no member resists, so that it is kept at 0. */
+/* Finds the directions, among degrees of freedom that are not held, in which the node's stiffness b does not resist.
+ * Writes them to motion and returns their number. Replaces b by a stiffness that resists only in these directions.
+ * unturned[i]: true if degree of freedom i is a rotation that no member resists. */
 int vs_loose_ways(vs_node_stiffness b, const bool held[VS_WAYS], double motion[VS_WAYS][VS_WAYS],
                   bool unturned[VS_WAYS]);
 

@@ -23,8 +23,8 @@ double vs_member_axes(vs_vec3 from, vs_vec3 to, double roll, vs_vec3 axes[3]) {
 
 /* ---- stiffness ---- */
 
-/* Adds `by` times a 4 by 4 matrix `shape` of bending to a. `across`, `turn`: degrees of freedom for the displacement
- * across the member and the rotation; entries for rotations are also multiplied by the length l. */
+/* Adds `by` times `shape`, a matrix of bending in one plane, to the member's matrix a. across, turn: degrees of freedom
+ * for displacement and rotation in this plane. Entries for rotations are also multiplied by the length l. */
 static void add_shape(double by, double l, const double shape[4][4], int across, int turn, double sign,
                       vs_member_matrix a) {
   const int at[4] = { across, turn, across + VS_WAYS, turn + VS_WAYS };

@@ -22,7 +22,8 @@ void vs_member_geometric(const vs_structure_member *m, double length, double for
 /* Sets a to the mass matrix of the member, whose mass is in kg. */
 void vs_member_mass(const vs_structure_member *m, double length, double mass, vs_member_matrix a);
 
-/* Convert the twelve numbers of a member's two ends from own axes to global axes, and back. */
+/* Converts the twelve numbers of a member's two ends from own axes to global axes. vs_member_to_own converts them from
+ * global axes to own axes. */
 void vs_member_to_global(const vs_vec3 axes[3], const double own[VS_MEMBER_WAYS], double out[VS_MEMBER_WAYS]);
 void vs_member_to_own(const vs_vec3 axes[3], const double global[VS_MEMBER_WAYS], double out[VS_MEMBER_WAYS]);
 /* Converts a member's matrix from own axes to global axes, in place. */

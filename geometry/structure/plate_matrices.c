@@ -6,12 +6,13 @@
 #include <math.h>
 #include <string.h>
 
-enum { CORNERS = 3, OWN = 9 }; /* OWN: degrees of freedom of one of the two actions, three for each corner */
+enum { CORNERS = 3, OWN = 9 }; /* OWN: number of degrees of freedom for forces in the plane, and also for bending: three
+                                * for each corner */
 
-/* A triangle in its own plane. */
+/* A triangle of a shell, in the coordinates of its own plane. */
 typedef struct {
   double x[CORNERS], y[CORNERS], area;
-  double elastic[3][3]; /* from strains to stresses */
+  double elastic[3][3]; /* matrix that converts strains to stresses */
 } flat;
 
 double vs_plate_axes(const vs_vec3 at[3], vs_vec3 axes[3]) {
@@ -51,9 +52,9 @@ static void add_product(double k[OWN][OWN], double b[3][OWN], double d[3][3], do
 
 /* ---- forces in the plane: at each corner the movements along x and y, and the rotation about z ---- */
 
-/* Sets b to the mean strains of the triangle. */
+/* Sets b to the matrix that computes the mean strains of the triangle from its degrees of freedom in the plane. */
 static void mean_strains(const flat *t, double b[3][OWN]) {
-  const double share = 1.5; /* of the corners' rotations in the mean strains: the optimal alpha */
+  const double share = 1.5; /* weight of the corners' rotations in the mean strains: Felippa's optimal alpha */
   memset(b, 0, sizeof(double[3][OWN]));
   for (int i = 0; i < CORNERS; i++) {
     int j = (i + 1) % CORNERS, k = (i + 2) % CORNERS;
@@ -67,7 +68,8 @@ static void mean_strains(const flat *t, double b[3][OWN]) {
   }
 }
 
-/* Sets c to the differences of the corners' rotations from that of the triangle with straight sides. */
+/* Sets c to the matrix that computes, from the degrees of freedom in the plane, the corners' rotations relative to the
+ * rotation of the triangle with straight sides. */
 static void own_rotations(const flat *t, double c[3][OWN]) {
   memset(c, 0, sizeof(double[3][OWN]));
   for (int r = 0; r < 3; r++) {
@@ -80,7 +82,7 @@ static void own_rotations(const flat *t, double c[3][OWN]) {
   }
 }
 
-/* Sets natural to the elasticity between the strains along the three sides. */
+/* Sets natural to the elasticity matrix for strains along the three sides of the triangle. */
 static void natural_elasticity(const flat *t, double natural[3][3]) {
   double side[3], to[3][3], half[3][3];
   for (int k = 0; k < 3; k++) { /* column k belongs to the side from corner k to corner k + 1 */
@@ -104,9 +106,10 @@ static void natural_elasticity(const flat *t, double natural[3][3]) {
     }
 }
 
-/* Adds the stiffness of the higher order: strains along the sides that the corners' own rotations cause. */
+/* Adds to k the stiffness of higher order: of the strains along the sides that the corners' own rotations cause. */
 static void add_higher(const flat *t, double thickness, double poisson, double k[OWN][OWN]) {
-  static const double beta[3][3][3] = { /* at each corner: from rotations to the strains along the three sides */
+  static const double beta[3][3][3] = { /* beta[corner]: factors that convert the corners' rotations to the strains
+                                         * along the three sides */
     { { 1, 2, 1 }, { 0, 1, -1 }, { -1, -1, -2 } },
     { { -2, -1, -1 }, { 1, 1, 2 }, { -1, 0, 1 } },
     { { 1, -1, 0 }, { -1, -2, -1 }, { 2, 1, 1 } },
@@ -114,7 +117,7 @@ static void add_higher(const flat *t, double thickness, double poisson, double k
   double natural[3][3], c[3][OWN], spin[3][3] = { { 0 } }, weight = 0.75 * fmax((1 - 4 * poisson * poisson) / 2, 0.01);
   natural_elasticity(t, natural);
   own_rotations(t, c);
-  for (int m = 0; m < 3; m++) { /* the middles of the sides */
+  for (int m = 0; m < 3; m++) { /* for the middle of each side */
     double q[3][3];
     for (int r = 0; r < 3; r++) {
       int j = (r + 1) % 3;
@@ -131,15 +134,17 @@ static void add_higher(const flat *t, double thickness, double poisson, double k
 
 /* ---- bending: at each corner the movement along z, and the rotations about x and y ---- */
 
-/* Sets h to the rotations of the normal at the corners, then at the middles of the sides opposite to them: h[n][0] is
- * about y, h[n][1] about -x. Along a side they follow from a cubic deflection; across it they are linear. */
+/* Sets h to the rotations of the triangle's normal: first at the corners, then at the middles of the opposite sides.
+ * h[n][0] is about y, h[n][1] about -x. Along a side, the rotations follow from a cubic deflection; across it they are
+ * linear. */
 static void normal_rotations(const flat *t, double h[6][2][OWN]) {
   memset(h, 0, sizeof(double[6][2][OWN]));
   for (int i = 0; i < CORNERS; i++) h[i][0][3 * i + 2] = 1, h[i][1][3 * i + 1] = -1;
   for (int n = 0; n < CORNERS; n++) {
     int i = (n + 1) % CORNERS, j = (n + 2) % CORNERS;
     double x = t->x[j] - t->x[i], y = t->y[j] - t->y[i], long2 = x * x + y * y;
-    double along[OWN] = { 0 }, across[OWN] = { 0 }; /* both times the side's length */
+    double along[OWN] = { 0 }, across[OWN] = { 0 }; /* rotations at the middle of a side, along it and across it, each
+                                                     * times the side's length */
     along[3 * i] = 1.5, along[3 * j] = -1.5;
     for (int end = 0; end < 2; end++) {
       int at = end ? j : i;
@@ -153,7 +158,7 @@ static void normal_rotations(const flat *t, double h[6][2][OWN]) {
   }
 }
 
-/* Sets b to the curvatures at a place of the triangle: the shares of its corners. */
+/* Sets b to the matrix of the curvatures at the place of the triangle with the barycentric coordinates `share`. */
 static void curvatures(const flat *t, double h[6][2][OWN], const double share[CORNERS], double b[3][OWN]) {
   memset(b, 0, sizeof(double[3][OWN]));
   for (int n = 0; n < 6; n++) {
@@ -170,11 +175,12 @@ static void curvatures(const flat *t, double h[6][2][OWN], const double share[CO
   }
 }
 
-/* ---- both ---- */
+/* ---- forces in the plane and bending together ---- */
 
-static const int IN_PLANE[3] = { 0, 1, 5 }, ACROSS[3] = { 2, 3, 4 }; /* the degrees of freedom of a corner */
+static const int IN_PLANE[3] = { 0, 1, 5 }, ACROSS[3] = { 2, 3, 4 }; /* degrees of freedom of a corner: of the forces in
+                                                                      * the plane, and of bending */
 
-/* Turns the numbers of the corners from own axes to global axes, or back. */
+/* Converts the degrees of freedom v of the corners from own axes to global axes, or back if `back` is true. */
 static void turn(const vs_vec3 axes[3], const double *v, bool back, double *out) {
   for (int n = 0; n < VS_PLATE_WAYS; n += 3) {
     vs_vec3 d = vs_v3(v[n], v[n + 1], v[n + 2]), g;
@@ -185,7 +191,7 @@ static void turn(const vs_vec3 axes[3], const double *v, bool back, double *out)
 }
 
 static void to_global(const vs_vec3 axes[3], vs_plate_matrix k) {
-  for (int pass = 0; pass < 2; pass++) { /* turns the rows, and transposes, twice */
+  for (int pass = 0; pass < 2; pass++) { /* converts the rows to global axes and transposes the matrix, twice */
     for (int i = 0; i < VS_PLATE_WAYS; i++) {
       double row[VS_PLATE_WAYS];
       memcpy(row, k[i], sizeof row);

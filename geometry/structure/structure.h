@@ -32,7 +32,8 @@ typedef struct {
 /* A triangle of a shell. */
 typedef struct {
   uint32_t node[3]; /* indices of the nodes at its corners, which are not on a line */
-  double thickness, modulus, poisson; /* in m; in Pa; ratio from -1 to below 0.5 */
+  double thickness, modulus, poisson; /* thickness in m; modulus of elasticity in Pa; Poisson's ratio, from -1 to below
+                                       * 0.5 */
 } vs_structure_plate;
 
 typedef struct {

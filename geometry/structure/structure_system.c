@@ -159,7 +159,7 @@ static bool find_motion(vs_structure_system *w, size_t at, vs_structure_report *
   return ok;
 }
 
-/* Adds the stiffness of an entry of `spins` to its node, which holds the node's rotation about an axis. */
+/* Adds the stiffness against a rotation about an axis (spin) to the node that it holds. */
 static void hold_spin(vs_structure_system *w, const vs_structure_spin *spin) {
   const double d[3] = { spin->axis.x, spin->axis.y, spin->axis.z };
   for (int i = 0; i < 3; i++)

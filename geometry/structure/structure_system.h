@@ -19,7 +19,8 @@ typedef struct {
   double stiffness; /* stiffness against the rotation, in Nm for each radian */
 } vs_structure_spin;
 
-/* The caller sets s, loose, spins and spin_count, and all further members to 0. */
+/* The equations of a structure. Before vs_structure_system_make, the caller sets s, loose, spins and spin_count, and
+ * all further members to 0. */
 typedef struct {
   const vs_structure *s;
   bool *loose; /* loose[n]: receives the member `loose` of vs_structure_state for node n */
@@ -31,9 +32,9 @@ typedef struct {
   vs_sparse *equations;   /* the factored stiffness matrix; NULL if no degree of freedom can move */
 } vs_structure_system;
 
-/* Makes and factors the equations. loads: loads of nodes, including those of members, VS_WAYS numbers for each node and
- * load case. If a load acts in a direction in which nothing holds a node, the structure is a mechanism. The caller
- * frees the system, even after a failure. */
+/* Makes and factors the equations. loads: VS_WAYS numbers for each node and load case, including the loads of members.
+ * The structure is a mechanism if a load acts in a direction in which nothing holds a node. The caller frees the
+ * system, even after a failure. */
 vs_structure_outcome vs_structure_system_make(vs_structure_system *w, const double *loads, vs_structure_report *report,
                                               vs_error *e);
 void vs_structure_system_free(vs_structure_system *w);
@@ -43,11 +44,12 @@ void vs_structure_system_free(vs_structure_system *w);
 static inline size_t vs_structure_way(const vs_structure_member *m, int i) {
   return (size_t)(i < VS_WAYS ? m->from : m->to) * VS_WAYS + (size_t)(i % VS_WAYS);
 }
-/* The same for the degrees of freedom of a plate's corners; i is 0 to VS_PLATE_WAYS - 1. */
+/* Returns the index, among the degrees of freedom of all nodes, of degree of freedom i of a plate's corners; i is 0 to
+ * VS_PLATE_WAYS - 1. */
 static inline size_t vs_structure_plate_way(const vs_structure_plate *p, int i) {
   return (size_t)p->node[i / VS_WAYS] * VS_WAYS + (size_t)(i % VS_WAYS);
 }
-/* Sets at to the corners of a plate. */
+/* Sets at to the positions of a plate's three corners. */
 static inline void vs_structure_corners(const vs_structure *s, const vs_structure_plate *p, vs_vec3 at[3]) {
   for (int i = 0; i < 3; i++) at[i] = s->at[p->node[i]];
 }

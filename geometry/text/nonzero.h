@@ -16,11 +16,10 @@ typedef struct {
   size_t count, room;
 } vs_flat_loops; /* all loops and their points; a structure with all bytes 0 contains no loops */
 
-/* Begins a loop, to which vs_flat_loops_add appends points. vs_flat_loops_begin and vs_flat_loops_add return false when
- * memory is out. */
+/* Begins a loop, to which vs_flat_loops_add appends points. Returns false when memory is out. */
 bool vs_flat_loops_begin(vs_flat_loops *l);
 bool vs_flat_loops_add(vs_flat_loops *l, vs_vec2 p);      /* adds the point p to the last loop, unless p equals the
-                                                           * loop's last point */
+                                                           * loop's last point; returns false when memory is out */
 void vs_flat_loops_free(vs_flat_loops *l);
 
 /* Replaces the loops by loops that bound the ink and do not cross. Outer loops are counter-clockwise. Each outer loop

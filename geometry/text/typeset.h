@@ -23,9 +23,9 @@ typedef struct {
 void vs_text_plan_free(vs_text_plan *p);
 bool vs_text_lay(vs_store *s, const struct vs_letters *t, vs_text_plan *out, vs_error *e);
 
-/* Makes the loops that bound the text's ink (printed area), mapped by `placed`; sets only out->loops and out->hole. No
- * two loops cross: GEOS unites letters that overlap. Before the mapping, outer loops are counter-clockwise as seen from
- * above, each followed by its holes. Returns false and sets e on failure. */
+/* Makes the loops that bound the text's ink (printed area), mapped by `placed`; sets only out->loops and out->hole.
+ * Loops do not cross. Before the mapping, outer loops are counter-clockwise as seen from above, each followed by its
+ * holes. Returns false and sets e on failure. */
 bool vs_text_loops(const vs_node *text, const vs_affine *placed, const vs_fineness *f, vs_outline *out, vs_error *e);
 /* Enlarges b by the exact bounds of the text's ink, mapped by `placed`. Returns false and sets e on failure. */
 bool vs_text_bounds(const vs_node *text, const vs_affine *placed, vs_bounds *b, vs_error *e);
