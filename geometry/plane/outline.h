@@ -9,8 +9,8 @@ typedef struct { vs_vec3 *at; size_t count, room; bool closed; } vs_polyline;
 void vs_polyline_free(vs_polyline *p);
 
 /* The loops of a region in one plane. Outer loops are counter-clockwise about the normal, which points up; each is
- * followed by its holes, which are clockwise. Columns 0 and 1 of frame span the plane, column 2 is the normal, column 3
- * is the point of the plane nearest to the origin. */
+ * followed by its holes, clockwise. Columns of frame: 0 and 1 span the plane, 2 is the normal, 3 is the point of the
+ * plane nearest to the origin. */
 typedef struct { vs_polyline *loops; bool *hole; size_t count; vs_vec3 point, normal; vs_affine frame; } vs_outline;
 void vs_outline_free(vs_outline *o);
 /* Makes an outline of loops in one plane. It takes over the points, and the given loops are empty afterwards, even on

@@ -22,9 +22,9 @@ typedef struct {
                         * NULL: the plane is computed from the points of the row */
   const bool *by_number; /* If not NULL: direction of the diagonals of the cells between row r and the next.
                           * by_number[r] is true if they go from the lower column to the higher column. */
-  bool shared;         /* true if a grid of a neighbouring solid may have the same cells, with their points in the
-                        * opposite order; the position then decides between diagonals of equal length, so that both
-                        * grids are cut in the same way */
+  bool shared;         /* true if the grid of a neighbouring solid may have the same cells, with their points in the
+                        * opposite order. Diagonals of equal length are then chosen by position, so that both grids are
+                        * cut in the same way. */
   uint32_t *numbers;   /* If not NULL: receives the index of the vertex at each point, row by row. If the grid is
                         * joined, the vertices of the first row follow again at the end. */
 } vs_quad_grid;

@@ -192,8 +192,8 @@ static vs_vec3 loft_loop_center(const vs_polyline *p) {
 }
 
 /* Orders the loops of section b so that loop i matches loop i of section a, the section before it. Outer loops are
- * matched by distance, then the holes within each outer loop. Both sections have equal numbers of loops. number: index
- * of b, for messages. Returns false and sets e on failure. */
+ * matched by distance, then the holes within each outer loop. number: index of b, for messages. Returns false and sets
+ * e on failure. */
 static bool loft_pair(const loft_section *a, loft_section *b, size_t number, vs_error *e) {
   size_t n = b->outline.count, done = 0;
   VS_ASSERT(a->outline.count == b->outline.count);

@@ -362,8 +362,8 @@ static double guided_column(const vs_loft *l, const guided_line *g, size_t i, do
 }
 
 /* Computes the affine map x -> c + m (x - b) that best maps the n >= 1 points `from` to the points `to`, by least
- * squares. *b, *c: means of the two sets. For one point it is a shift; for two, a rotation with a uniform scale; for
- * three or more that are not collinear, any map of their plane. */
+ * squares. *b, *c: means of `from` and of `to`. For one point the map is a shift; for two points, a rotation with a
+ * uniform scale. */
 static void guided_fit(const vs_vec3 *from, const vs_vec3 *to, size_t n, vs_vec3 *b, vs_vec3 *c, double m[3][3]) {
   VS_ASSERT(n > 0);
   *b = *c = vs_v3(0, 0, 0);

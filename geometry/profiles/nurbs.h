@@ -33,9 +33,9 @@ double vs_nurbs_high(const vs_nurbs_knots *k);
  * *slope_u, *slope_v: receive the derivatives by u and v; the pointers may be NULL. */
 vs_vec3 vs_nurbs_point(const vs_nurbs *n, double u, double v, vs_vec3 *slope_u, vs_vec3 *slope_v);
 
-/* Computes the parameters at which one direction is sampled, in ascending order, including both ends and all knots.
- * Between samples, the curve, or each line of a surface in this direction, is within `chord` > 0 of its chord. Returns
- * the number of parameters, or 0 when memory is out. The caller frees *out. */
+/* Computes the parameters at which one direction is sampled, in ascending order. The curve, or each line of a surface
+ * in this direction, is then within `chord` > 0 of the chords between samples. Returns the number of parameters, or 0
+ * when memory is out. The caller frees *out. */
 size_t vs_nurbs_parameters(const vs_nurbs *n, bool along_v, double chord, double **out);
 
 /* Returns a node for a curve: interpolating splines, joined at corners, which deviate from the curve by at most 1e-7 of

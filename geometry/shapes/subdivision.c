@@ -75,8 +75,8 @@ static bool topology_of(const vs_face_list *l, const vs_crease *creases, size_t 
 typedef struct {
   uint32_t edges, faces, sharp;
   double sharpness;                  /* sum of the sharpness (number of subdivisions) of the sharp edges at the point */
-  vs_vec3 neighbours, across, along; /* sums of positions at the point. neighbours: of the other ends of all its edges;
-                                      * along: of the other ends of its sharp edges; across: over its faces */
+  vs_vec3 neighbours, across, along; /* sums of positions at the point: neighbours: other ends of all its edges; along:
+                                      * other ends of its sharp edges; across: sum over its faces */
 } gathered;
 
 static void gather_edges(const topology *t, gathered *g) {

@@ -14,7 +14,7 @@ typedef enum {
 
 /* Finds the `want` greatest eigenvalues, in descending order, and their vectors: vectors[i * n + row], of length 1 in
  * the scalar product of K. `k` has been factored; n is the number of rows of k and a. `*found`: number of pairs, at
- * most n. Each step solves equations for `want` right sides and some more. */
+ * most n. */
 vs_eigen_outcome vs_eigenpairs(vs_sparse *k, vs_sparse *a, size_t n, size_t want, vs_long_work work, double *values,
                                double *vectors, size_t *found, vs_error *e);
 

@@ -32,8 +32,8 @@ static void free_cut(cut *c) {
 
 static size_t parts_of(const cut *c, const vs_structure_member *m) { return m->bend_y > 0 ? c->p->parts : 1; }
 
-/* Cuts member i: appends its inner nodes and its segments. A member with two hinges carries no torsion, so an entry of
- * c->spins holds the rotation of its inner nodes about the axis. */
+/* Cuts member i: appends its inner nodes and its segments. If both ends of the member are hinged, the segments beside
+ * them carry no torsion; an entry of c->spins then keeps the inner segments from turning freely about the axis. */
 static void cut_member(cut *c, size_t i) {
   const vs_structure_member *m = &c->p->s->members[i];
   size_t parts = parts_of(c, m);
