@@ -38,7 +38,7 @@ double vs_sky_light_twilight(double altitude);
 vs_sky_light vs_sky_light_of_scene(const vs_scene *scene, vs_vec3 sun);
 /* Returns the illuminance of a surface perpendicular to the rays of the scene's sun, or at night of the moon, as linear
  * sRGB in lx. sun: unit vector towards the sun. Returns 0 if the sun is hidden by clouds, below the horizon, or turned
- * off by (sun #f). */
+ * off. */
 vs_vec3 vs_sky_light_sun_of_scene(const vs_scene *scene, vs_vec3 sun);
 /* Returns the luminance Y in cd/m2 and the chromaticities x and y of the sky in a direction of length 1. Directions
  * below the horizon have the values of the horizon. */

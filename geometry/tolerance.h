@@ -24,8 +24,8 @@ int vs_fineness_least(const vs_fineness *f);
  * `least` must be above 0. */
 int vs_fineness_turn_least(const vs_fineness *f, double r, int least);
 /* Returns the fineness to use inside a placement a, so that the distance of chords in the drawing stays within f's
- * tolerance. The scale of a is rounded to a power of two. Thus rotations and small differences of scale change nothing,
- * and equal parts remain equal. */
+ * tolerance. The scale of a is rounded to a power of two, so that equal parts at slightly different scales remain
+ * equal. */
 vs_fineness vs_fineness_placed(const vs_fineness *f, const vs_affine *a);
 
 #endif

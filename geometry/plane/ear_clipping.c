@@ -228,8 +228,7 @@ static bool bands_add_loop(vs_bands *b, const vs_ring *r, size_t first, size_t s
 }
 
 /* A search for a corner of the ring to which h, the leftmost corner of a hole, can be joined by a bridge. A ray from h
- * towards -x hits an edge at `hit`; m is an end of this edge. The corner is searched for in the triangle of h, hit and
- * m. */
+ * towards -x hits an edge at `hit`; m is an end of this edge. The corner lies in the triangle of these points. */
 typedef struct {
   const vs_ring *ring;
   const uint32_t *copies;

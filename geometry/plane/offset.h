@@ -28,9 +28,9 @@ bool vs_area_offset(const vs_area *in, const vs_offset_rule *rule, vs_area *out,
  * 0. out is empty if nothing remains. Returns false and sets e on failure. */
 bool vs_line_offset(const vs_open_line *line, const vs_offset_rule *rule, vs_polyline *out, vs_error *e);
 bool vs_offset_round(const vs_node *offset, vs_affine *place, vs_offset_exact *out);
-/* Finds the plane in which the left side of an open line is defined. Columns 0 and 1 of *frame span the plane; column 2
- * is its normal, which points up. A straight line lies in many planes: uses the plane nearest to horizontal, or for a
- * vertical line XZ as seen from -Y. Returns false if the line lies in no plane. */
+/* Finds the plane in which an open line has a left side. Columns 0 and 1 of *frame span the plane; column 2 is its
+ * normal, which points up. For a straight line, uses the plane nearest to horizontal, or if the line is vertical, XZ.
+ * Returns false if the line lies in no plane. */
 bool vs_line_frame(const vs_polyline *line, vs_affine *frame, vs_error *e);
 
 #endif

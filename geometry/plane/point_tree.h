@@ -24,9 +24,8 @@ bool vs_point_tree_make(vs_point_tree *t, const vs_vec2 *at, const size_t *point
 void vs_point_tree_free(vs_point_tree *t);
 /* Switches an item of the tree on or off; searches find only switched-on items. */
 void vs_point_tree_switch(vs_point_tree *t, size_t item, bool on);
-/* Returns a switched-on item in the triangle whose position differs from a, b and c; SIZE_MAX if there is none. A point
- * p counts as inside if twice the area of each of (a, b, p), (b, c, p) and (c, a, p) is at least -flat. flat is at
- * least 0. */
+/* Returns an item that is switched on and lies in the triangle, at another position than a, b and c; SIZE_MAX if there
+ * is none. A point p is inside if twice the area of each of (a, b, p), (b, c, p) and (c, a, p) is at least -flat. */
 size_t vs_point_tree_in(const vs_point_tree *t, vs_vec2 a, vs_vec2 b, vs_vec2 c, double flat);
 
 /* Calls `found` for each item that is switched on and lies in the box or on its border. */

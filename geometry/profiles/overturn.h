@@ -20,8 +20,7 @@ bool vs_overturn_refine(vs_swept *s, const bool *marked, double tolerance);
 void vs_overturn_tightest(const vs_swept *s, const vs_vec3 *near, vs_vec3 *at, double *fits);
 
 /* The vertices of a sweep's mesh. `numbers[r * n + i]`: vertex of point i in row r. `turns[r]`: true if a part of the
- * profile goes backwards from row r to the next; the walls there are divided by number (grid.h). `inside_out`: true if
- * the triangles have been reversed. */
+ * profile goes backwards from row r to the next. `inside_out`: true if the triangles have been reversed. */
 typedef struct {
   const vs_swept *s;
   const uint32_t *numbers;
@@ -29,9 +28,9 @@ typedef struct {
   size_t steps;
   bool inside_out;
 } vs_overturn_rows;
-/* Appends the faces of all tetrahedra that go backwards, twice and facing outwards. The triangles of out from index
- * `first` on are the walls and caps of a sweep with these rows. Afterwards the winding number is above 0 exactly where
- * the profile passes through. Returns false when memory is out. */
+/* Appends the faces of all tetrahedra that go backwards, twice and facing outwards. out has the walls and caps of the
+ * sweep from triangle `first` on. Afterwards the winding number is above 0 exactly where the profile passes through.
+ * Returns false when memory is out. */
 bool vs_overturn_fill(const vs_overturn_rows *rows, size_t first, vs_mesh *out);
 
 /* A point in a step of a sweep: between section `step` and the next section. */

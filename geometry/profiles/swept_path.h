@@ -5,9 +5,8 @@
 #include "geometry/plane/curve.h"
 #include "geometry/tolerance.h"
 
-/* Samples the curve as the path of a profile whose points are at most `reach` away from it. In a bend whose radius is
- * at least `reach`, the samples do not depend on `reach`. Returns false and sets e if `curve` is not a single curve.
- * The caller frees path (vs_path_free). */
+/* Samples the curve as the path of a profile whose points are at most `reach` away from it. Returns false and sets e if
+ * `curve` is not a single curve. The caller frees path (vs_path_free). */
 bool vs_swept_path(const vs_node *curve, const vs_fineness *f, double reach, vs_path *path, vs_error *e);
 
 #endif

@@ -15,8 +15,8 @@ typedef struct {
 } vs_modes_problem;
 
 /* Computes modes of buckling or vibration. `values`: factors by which the axial forces grow until the structure
- * buckles, or frequencies in Hz, in ascending order. `shapes`: movements at the ends of the segments, (parts + 1) * 3
- * numbers for each member and mode. `*found`: number of modes; 0 if nothing buckles. */
+ * buckles, or frequencies in Hz; ascending. `shapes`: movements at the ends of the segments, (parts + 1) * 3 numbers
+ * for each member and mode, at most 1 long. `*found`: number of modes. */
 vs_structure_outcome vs_structure_modes(const vs_modes_problem *p, vs_long_work work, double *values, double *shapes,
                                         size_t *found, vs_structure_report *report, vs_error *e);
 
