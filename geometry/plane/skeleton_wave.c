@@ -122,7 +122,7 @@ static long double until_event(const vs_wave *w) {
   return best;
 }
 
-/* ---- the front is made anew after an event ---- */
+/* ---- the front (the moving outline) is made anew after an event ---- */
 
 /* Returns the skeleton's node at a place (point where parts of the front meet). Makes it when it is first needed.
  * Returns NONE when memory is out. */

@@ -31,8 +31,9 @@ bool vs_loft_match(const vs_node *n, size_t count, const vs_fineness *f, vs_loft
 /* -- declarations for loft_guided.c and loft_mesh.c alone -- */
 
 typedef struct { vs_vec3 *at; size_t rows, room, columns; } vs_loft_rows;
-/* The slopes of a smooth loft at its sections: derivatives at the points of each row, by the parameter 0 to 1 between
- * two rows. `slope_out`: for the part of the wall that begins at the row; `slope_in`: for the part that ends there. */
+/* The slopes of a smooth loft at its sections: derivatives at the points of each row. The parameter goes from 0 to 1
+ * between two rows. `slope_out`: for the part of the wall that begins at the row; `slope_in`: for the part that ends
+ * there. */
 typedef struct { const vs_loft *loft; vs_vec3 *slope_in, *slope_out; } vs_loft_smooth;
 
 #endif

@@ -28,9 +28,9 @@ typedef struct {
   size_t steps;
   bool inside_out;
 } vs_overturn_rows;
-/* Appends the faces of all tetrahedra that go backwards, twice and facing outwards. out has the walls and caps of the
- * sweep from triangle `first` on. Afterwards the winding number is above 0 exactly where the profile passes through.
- * Returns false when memory is out. */
+/* Appends the faces of all tetrahedra that go backwards, twice and facing outwards. The triangles of out from number
+ * `first` are the sweep's walls and caps. Afterwards the winding number is above 0 exactly where the profile passes
+ * through. Returns false when memory is out. */
 bool vs_overturn_fill(const vs_overturn_rows *rows, size_t first, vs_mesh *out);
 
 /* A point in a step of a sweep: between section `step` and the next section. */

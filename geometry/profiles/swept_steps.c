@@ -146,7 +146,7 @@ static double saddle_of(const vs_section *a, const vs_section *b, vs_vec2 p, vs_
     at[i][0] = vs_v3_add(vs_v3_add(vs_v3_scale(s->x, p.x), vs_v3_scale(s->y, p.y)), s->at);
     at[i][1] = vs_v3_add(vs_v3_add(vs_v3_scale(s->x, q.x), vs_v3_scale(s->y, q.y)), s->at);
   }
-  for (int c = 0; c < 4; c++) { /* of the normals at the four corners, uses the longest */
+  for (int c = 0; c < 4; c++) { /* uses the longest of the normals at the four corners */
     int i = c / 2, j = c % 2;
     vs_vec3 n = vs_v3_cross(vs_v3_sub(at[1][j], at[0][j]), vs_v3_sub(at[i][1], at[i][0]));
     if (vs_v3_length(n) > vs_v3_length(most)) most = n;
