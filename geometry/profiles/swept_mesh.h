@@ -14,8 +14,8 @@ bool vs_swept_mesh(const vs_swept *s, vs_mesh *out); /* appends the triangles of
 bool vs_swept_turns(const vs_swept *s, bool *turns);
 
 /* Divides the sweep into runs of the given number of steps, and makes a closed mesh of each. The meshes overlap by one
- * step, and their union is the solid. The caller frees the meshes and their array. Returns false, without meshes, when
- * memory is out. */
+ * step, and their union is the solid. s->across must be true. The caller frees the meshes and their array. Returns
+ * false, without meshes, when memory is out. */
 bool vs_swept_runs(const vs_swept *s, size_t steps, vs_mesh **runs, size_t *count);
 
 /* Writes at most `most` random points to out, from the steps in which a part of the profile goes backwards
