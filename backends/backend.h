@@ -46,7 +46,7 @@ typedef enum { VS_PHASE_LEAF, VS_PHASE_ENTER, VS_PHASE_LEAVE } vs_phase;
 
 typedef vs_emit_status vs_emit_fn(vs_emitter *e, const vs_ref *ref, vs_phase phase);
 
-/* Traits of a format: needs and abilities of its program. */
+/* Flags of a format, by which the driver decides how to treat the format's drawings. */
 typedef enum {
   VS_SHOWS_GHOSTS_IN_DRAFTS = 1 << 0, /* the format shows objects marked as `ghost` only in pictures of draft quality */
   VS_KEEPS_ORIGINS = 1 << 1, /* the emitter records the origin of each line of the text: the place in the user's
@@ -79,7 +79,8 @@ struct vs_backend {
   bool (*item)(vs_emitter *e, size_t index, bool end); /* called before (end false) and after (end true) the drawn
                                                         * object number `index`; may be NULL */
   bool (*end)(vs_emitter *e);
-  void (*close)(vs_emitter *e); /* frees `state`, also after a failure; may be NULL */
+  void (*close)(vs_emitter *e); /* frees the back-end's data (the emitter's `state`), also after a failure; may be
+                                 * NULL */
   /* Writes the beginning (open) or the end (!open) of the template with number `id`, counted from 1. A back-end has
    * both `define` and `use`, or neither. */
   bool (*define)(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open);
@@ -97,9 +98,9 @@ struct vs_backend {
   /* Writes further files beside the file e->path, such as an .mtl. NULL: the format has no such files. */
   bool (*beside)(vs_emitter *e);
   vs_mark_style highlights, ghosts; /* how the format shows the marks `highlight` and `ghost` (passes/sugar.h) */
-  const char *family;      /* additional name that several formats have in common, or NULL */
-  const char *native;      /* target of targets.def whose `native` text this format accepts, or NULL if it accepts
-                            * none */
+  const char *family;      /* name that several formats have in common, such as "povray" for .png, or NULL */
+  const char *native;      /* name of the program (a row of targets.def) whose language the user may write in `native`
+                            * objects for this format; NULL: the format accepts no such text */
   unsigned traits;      /* traits of the format: values of vs_backend_trait, joined by | */
   const char *omit[VS_MIXED]; /* omit[c]: warning, given once, that the format omits objects of class c; NULL: the
                                * format shows them */
@@ -121,9 +122,9 @@ static inline vs_emit_fn *vs_backend_writes(const vs_backend *b, const vs_node *
 #define VS_FORMAT(suffix, backend, name, worker, binary, doc) extern const vs_backend vs_backend_##backend;
 #include "backends/backends.def"
 
-/* The table `emit` for formats that contain triangles and lines with their positions. `leaf` writes triangles of solids
- * and thin objects, `line` writes polylines, `through` writes placements and paint, `boolean` lets the kernel combine
- * solids. The driver replaces all other kinds by simpler kinds, and curves by polylines. */
+/* The table `emit` for formats that contain triangles and lines with their positions. It names the functions that write
+ * triangles (`leaf`), polylines (`line`), placements and paint (`through`), and combinations of solids (`boolean`). The
+ * driver replaces all other kinds by simpler kinds. */
 #define VS_EMIT_SHAPES(leaf, line, through, boolean)                                                                   \
   .shape = (leaf),                                                                                                     \
   .emit = { [VS_LINE] = { line, NULL },                                                                                \

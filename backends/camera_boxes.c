@@ -22,10 +22,8 @@ static bool drive_has_native(const vs_emitter *e) {
   return false;
 }
 
-/* Adds the bounds of a drawn object to e->boxes and to *all. For a union it adds the bounds of each part, up to `most`
- * boxes in total. Several boxes fit better than one, for example two boxes around a cross of two beams. If budget is
- * not NULL, the bounds are those of the material that remains after cuts; *budget limits the work for this
- * (drawn_bounds.h). */
+/* Adds the bounds of a drawn object to e->boxes and to *all; for a union, the bounds of each part, up to `most` boxes
+ * in total. If budget is not NULL, the bounds are those of the material that remains after cuts. */
 static bool drive_boxes(vs_emitter *e, const vs_ref *ref, vs_bounds_memo *memo, size_t *budget, vs_bounds *all) {
   enum { most = 4096 };
   const vs_node *n = ref->node;

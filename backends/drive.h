@@ -16,8 +16,8 @@ typedef struct {
                           * operation whose children are being visited, the greatest height of a child so far */
   uint32_t shown;       /* number of children of an operation that draw something */
   uint32_t definition;  /* number of the node's template, from 1; 0: the node has no template */
-  uint32_t weight;      /* approximate length of the node's text, counted in shapes; the use of a template counts as 1.
-                         * At most HEAVY (text_runs.c). Set only if parts of the text are cached. */
+  uint32_t weight;      /* approximate length of the node's text, counted in shapes; set only if parts of the text are
+                         * cached */
   bool vain, cut;
   bool first_vain, some_vain; /* first_vain: the first child draws nothing. some_vain: some child draws nothing */
   bool bare, painted;   /* bare: true if some part of the node has no material of its own. painted: true if some part

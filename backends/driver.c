@@ -13,9 +13,8 @@
 #include "model/job.h"
 #include "model/store/cache.h"
 
-/* Searches the cache for the text of a sequence of objects that begins at index `from` of the row. If the text is
- * cached, writes it and sets *next to the index after the sequence. Sets *asked to the index before which no further
- * search is needed. */
+/* Searches the cache for the text of consecutive drawn objects, from index `from` on. If the text is cached, writes it
+ * and sets *next to the index after them. Sets *asked to the index before which no further search is needed. */
 static bool drive_root(vs_emitter *e, const vs_run_row *row, size_t from, size_t *asked, size_t *next) {
   vs_run run;
   if (e->drive->reuse.cache == NULL || e->drive->reuse.open || from < *asked) return true;
@@ -144,7 +143,7 @@ const vs_solid *vs_emit_mesh(vs_emitter *e, const vs_ref *ref) {
       return entry->mesh;
     }
   }
-  vs_solid_free(&e->drive->scratch); /* frees the mesh here; a mesh that is missing from the cache costs only time */
+  vs_solid_free(&e->drive->scratch);
   e->drive->scratch = made;
   return &e->drive->scratch;
 }

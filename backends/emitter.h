@@ -12,9 +12,8 @@
 typedef struct vs_emitter vs_emitter;
 typedef struct vs_drive vs_drive; /* private to the driver (drive.h) */
 
-/* The numbers by which a curve has a constant thickness in the picture, both near and far, in model units. Its radius
- * at a point is `share` times the depth of the point from `eye` along `forward`, but at least `least`. In a parallel
- * view `forward` is 0 0 0, and the radius is `least`. */
+/* Thickness of curves in the picture: constant, both near and far. The radius of a curve at a point is `share` times
+ * the depth of the point from `eye` along `forward`, but at least `least`, in model units. */
 typedef struct { vs_vec3 eye, forward; double share, least; } vs_pen;
 
 struct vs_emitter {
@@ -85,9 +84,8 @@ void vs_emit_watch(vs_emitter *e, vs_writer *w); /* Makes the writer w test for 
 static inline bool vs_emit_going(vs_emitter *e, size_t turn) {
   return (turn & 0x3fff) != 0 || vs_emit_progress(e, "writing", -1);
 }
-/* Returns the triangles of a solid or surface, in the node's own coordinates. The kernel computes booleans, geometry/
- * all other nodes. If a node occurs at several places, the driver keeps its triangles; those of other nodes are valid
- * until the next call. Returns NULL on failure. */
+/* Returns the triangles of a solid or surface, in the node's own coordinates. If a node occurs at several places, the
+ * driver keeps its triangles; those of other nodes are valid until the next call. Returns NULL on failure. */
 const vs_solid *vs_emit_mesh(vs_emitter *e, const vs_ref *ref);
 /* Flags for the materials and layers inside a node. BARE: some part has no material of its own. PAINTED: some part has
  * a material of its own. LAYERED: some part has a layer of its own. Writers use the flags to decide whether the text

@@ -20,7 +20,7 @@ typedef struct {
   int crop[4];        /* part of a picture to render: left, top, columns and rows in pixels; if columns is 0, the whole
                        * picture */
   vs_render_quality quality;
-  vs_tone tone;       /* conversion of light to the values of a .png */
+  vs_tone tone;       /* how the light of a rendered picture is converted to the values of a .png */
   bool layers;        /* whether an .exr also contains depth, normal, albedo, id, material and ambient occlusion */
   const char *view;   /* name of the view of a drawing; "*": all views; NULL: the view with whose name the file's name
                        * ends */
@@ -30,7 +30,7 @@ typedef struct {
   bool keeps_parts;   /* whether parts stay parts, also for formats that have no names for them */
   bool up_y;          /* whether formats with VS_TURNS get the model with Y upwards instead of Z */
   bool strict;        /* whether a warning that a format omits or changes an object is an error */
-  bool safe;          /* whether limits are set, so that no text of the user reaches a worker program as directives */
+  bool safe;          /* true if limits are set: no text of the user then reaches a worker program as directives */
   const vs_known_files *inputs; /* input files of the model, which no export replaces; NULL: none */
   vs_job *job;        /* limits, messages and progress of this output; NULL: there are no limits, and messages are
                        * dropped */

@@ -8,9 +8,8 @@
 
 enum { DXF_CHARACTER = 12, DXF_LINE = 250 /* greatest number of bytes of text on a line; a longer text is an MTEXT */ };
 
-/* Writes the character at *text into `as`, as this DXF version spells it. A character outside ASCII becomes \U+ and
- * four hexadecimal digits. A caret is escaped, and a backslash before U+ or M+, where it would begin an escape. Returns
- * the number of bytes; *text moves to the next character. */
+/* Writes the character at *text into `as`, as this DXF version spells it: a character outside ASCII becomes \U+ and
+ * four hexadecimal digits. Returns the number of bytes; *text moves to the next character. */
 static size_t text_character(const char **text, char as[DXF_CHARACTER]) {
   enum { ENOUGH = 16 }; /* number of bytes that suffices for any character */
   char spelled[VS_SPELLED_ROOM + 1];
@@ -79,8 +78,9 @@ int vs_dxf_colour_index(const double rgb[3]) {
   for (int i = 1; i < 256; i++) {
     double c[3];
     for (int k = 0; k < 3; k++) {
-      double hue = fmod((i / 10 - 1) * 15 / 60. - 2 * k + 9, 6) - 3; /* distance from the hue at which the component k
-                                                                      * has its full value; 0 there */
+      double hue = fmod((i / 10 - 1) * 15 / 60. - 2 * k + 9, 6) - 3; /* distance of the hue from the hue at which colour
+                                                                      * component k (red, green or blue) has its full
+                                                                      * value */
       double full = fmin(1, fmax(0, 2 - fabs(hue))), shade = shades[i % 10 / 2];
       c[k] = i < 10 ? pure[i - 1][k] : i >= 250 ? 0.2 + 0.16 * (i - 250) : shade * (i % 2 ? (1 + full) / 2 : full);
     }

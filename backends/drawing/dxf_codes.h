@@ -7,7 +7,7 @@
 
 #include "backends/writer.h"
 
-/* FIRST_HANDLE: first handle of a drawn object; tables have lower handles. */
+/* FIRST_HANDLE: first handle (number of an object in the file) of a drawn object; tables have lower handles. */
 enum { FIRST_HANDLE = 0x100, MODEL_SPACE = 0x1f, PAPER_SPACE = 0x1e, ROOT = 0xc, GROUPS = 0xd };
 
 void vs_dxf_text(vs_writer *w, int number, const char *text); /* writes a text, shortened to a line of the file */

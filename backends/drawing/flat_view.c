@@ -167,7 +167,7 @@ static bool add_loose(seen *s, const vs_loose *l) {
   return ok || s->e->error->kind != VS_ERROR_NONE || vs_emit_no_memory(s->e);
 }
 
-enum { CUT_DEPTH = 2 }; /* depth of the drawn objects below the node of cut_node */
+enum { CUT_DEPTH = 2 }; /* depth at which the drawn objects occur in the node that cut_node returns */
 
 /* Returns a node for all solids of the drawing minus the half-spaces beyond the planes. */
 static vs_node *cut_node(vs_emitter *e, const vs_vec3 (*planes)[2], size_t count) {
@@ -249,7 +249,7 @@ typedef struct {
   const stretch *all;
   size_t count;             /* number of segments; the list of ends has twice as many elements */
   tip *tips;
-  uint32_t *slot;           /* slot[2 * i + k]: index in the sorted list of ends, where end k of segment i is found */
+  uint32_t *slot;           /* slot[2 * i + k]: index of end k of segment i in the sorted list of ends */
   bool *used;               /* used[i]: whether segment i is part of a line */
   double slack;             /* greatest distance of a point from the straight line through its neighbours at which the
                              * point is omitted, in the view's units */
@@ -263,8 +263,7 @@ static vs_sheet_point place_of(const stretches *s, stretch_end x) {
 }
 
 /* Sets *next to the end of a segment that continues the line at end x: the only other end of the same layer at this
- * position. Returns false if there is no such end, or if there are several. For the first end in the list, i - 1 wraps
- * to a number above the last index, which the comparison also rejects. */
+ * position. Returns false if there is no such end, or if there are several. */
 static bool next_of(const stretches *s, stretch_end x, stretch_end *next) {
   size_t i = s->slot[2 * x.stretch + (uint32_t)x.end], count = 2 * s->count;
   bool before = same_place(s->tips, count, i - 1, i), after = same_place(s->tips, count, i + 1, i);
@@ -487,8 +486,7 @@ static bool is_covered(const seen *s, vs_vec3 p) {
 }
 
 /* Finds the labels of the view. A cut removes the labels in the removed part. Elevations and sections show only labels
- * whose position is visible. Therefore a room's name does not appear on the front of the house. A label with #:view
- * always appears in the view that it names. */
+ * whose position is visible. A label with #:view always appears in the view that it names. */
 static bool find_labels(seen *s) {
   const vs_scene *scene = s->e->scene;
   vs_flat_view *v = s->v;

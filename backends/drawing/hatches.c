@@ -42,8 +42,7 @@ static double across(const hatching *h, vs_sheet_point p) { return (p.y * h->cos
 static double along(const hatching *h, vs_sheet_point p) { return p.x * h->cosine + p.y * h->sine; }
 
 /* Adds the intersections of hatch lines with the side from p to q of the area's border. A side includes only one of its
- * two ends. A corner on a hatch line therefore counts once if the border crosses the line there. If the border turns
- * back at the corner, it counts twice or not at all. */
+ * two ends, so a corner on a hatch line counts once if the border crosses the line there. */
 static bool cross_side(const hatching *h, vs_sheet_point p, vs_sheet_point q) {
   double a = across(h, p), b = across(h, q), u = along(h, p), w = along(h, q);
   for (double k = ceil(fmin(a, b)); k < fmax(a, b); k++) {

@@ -17,7 +17,7 @@ static const double bubble = 4, cap = 2.2, level_cap = 1.8; /* bubble: radius of
 static const double away = 9; /* distance from the model to a dimension, in mm */
 
 static bool is_upright(const vs_flat_view *v) { return v->look.parallel && fabs(v->look.forward.z) < 1e-6;
-    } /* whether the view looks horizontally: elevations and sections */
+    } /* true for views that look horizontally: elevations and sections */
 static bool shows(const vs_flat_view *v, const vs_scene_note *n) { return v->look.parallel &&
     (!n->view || strcmp(n->view, v->spec.name) == 0); }
 
@@ -36,8 +36,7 @@ static bool is_in_cut(const vs_flat_view *v, const vs_scene_note *n, double slac
 }
 
 /* Returns true if the view v shows the dimension n, whose length the view does not shorten. A dimension with #:view
- * appears in that view alone. A horizontal dimension appears on plans, and in sections in whose plane it lies. Other
- * dimensions appear in elevations and sections. No view shows a dimension if its cut has removed both ends. */
+ * appears in that view alone. No view shows a dimension if its cut has removed both ends. */
 static bool shows_dimension(const vs_flat_view *v, const vs_scene_note *n) {
   vs_vec3 d = vs_v3_sub(n->q, n->p);
   double slack = 1e-6 * vs_v3_length(d);

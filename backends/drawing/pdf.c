@@ -141,10 +141,8 @@ static bool put_all(vs_emitter *e, writing *w) {
   return true;
 }
 
-/* Repairs the table by which a reader of the .pdf converts letters to Unicode. libharu writes a table of glyphs in its
- * place (operators `cidrange`), which readers ignore with a warning. The letters are stored as Unicode, so the correct
- * table is one line. It overwrites libharu's table without compression, so no position in the file changes. If another
- * version of libharu writes the table in another form, the file is not changed. */
+/* Repairs the table by which a reader of the .pdf converts letters to Unicode, because readers ignore libharu's form of
+ * the table with a warning. Overwrites the table in place, so no position in the file changes. */
 static void mend_unicode(char *file, size_t size) {
   static const char table[] = "/CIDInit /ProcSet findresource begin\n12 dict begin\nbegincmap\n"
                               "/CMapName /UTF-8 def\n/CMapType 2 def\n"

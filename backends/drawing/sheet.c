@@ -36,7 +36,7 @@ static const double north_room = 22; /* height of the north arrow with the space
 
 /* ---- frame ---- */
 
-/* Returns the pen for marks that belong to no view. */
+/* Returns the vs_sheet_pen (data for adding marks) for marks that belong to no view. */
 static vs_sheet_pen pen_of(vs_emitter *e, vs_sheet *s) { return (vs_sheet_pen){ e, s, (uint32_t)s->view_count }; }
 
 static bool stroke(const vs_sheet_pen *pen, vs_sheet_point a, vs_sheet_point b) {
@@ -51,7 +51,7 @@ static vs_sheet_point point(double x, double y) { return (vs_sheet_point){ x, y 
 
 /* ---- scale and place ---- */
 
-/* free_width and the next function return the width and height in mm that the sheet has for views and tables. */
+/* Returns the width in mm that the sheet has for views and tables. */
 static double free_width(const vs_sheet *s) { return s->right - s->left - 2 * gap; }
 static double free_height(const vs_sheet *s) { return s->top - s->bottom - title_height - 2 * gap; }
 
@@ -85,9 +85,8 @@ static bool size_view(vs_emitter *e, vs_sheet *s, size_t i, double scale) {
   return vs_sheet_notes_room(e, s, (uint32_t)i);
 }
 
-/* Places the views from `first` to `end` - 1 in a row below the height `top`, centred in the width `free`. The views
- * have a common base line. Their titles have another common base line, below the notes of all views. Returns the lower
- * edge of the row in mm. */
+/* Places the views from `first` to `end` - 1 in a row below the height `top`, centred in the width `free`, on a common
+ * base line. Their titles are below the notes of all views. Returns the lower edge of the row in mm. */
 static double place_row(vs_sheet *s, size_t first, size_t end, double top, double free) {
   double above = 0, below = 0, wide = gap * (double)(end - first - 1);
   for (size_t i = first; i < end; i++) {

@@ -31,7 +31,8 @@ typedef struct {
 typedef struct { uint32_t geometry, paint, next; /* paint: material number. next: index of the geometry's next mesh + 1;
                                                   * 0: none */ } vs_gltf_mesh;
 typedef struct { uint32_t mesh, layer; vs_affine place; } vs_gltf_node;
-/* A node without a mesh around others: a layer or a part. above: number of the part around it; 0: none */
+/* A node of the file that contains other nodes and has no mesh: a layer or a part. above: number of the part around it;
+ * 0: none */
 typedef struct { const char *name; uint32_t above; bool part; } vs_gltf_group;
 
 typedef struct {

@@ -121,9 +121,8 @@ static bool gltf_is_edge(const vs_affine *place, const vs_mesh *m, const uint32_
          memcmp(at[2], at[0], sizeof at[0]) == 0;
 }
 
-/* Adds a triangle with texture coordinates. It has vertices of its own, because the picture may end at its edges. The
- * map `there` leads from the vertices to the drawing, along whose axes pictures are placed. The first such triangle of
- * the primitive p begins its texture coordinates. */
+/* Adds a triangle with texture coordinates. It has vertices of its own, because the picture may end at its edges.
+ * there: map from the vertices to the drawing, along whose axes pictures are placed. */
 static bool gltf_pictured(vs_emitter *e, vs_gltf_primitive *p, const vs_vec3 at[3], const vs_vec3 normals[3],
                           const vs_affine *there, const vs_material *m) {
   vs_gltf *g = e->state;
@@ -255,8 +254,7 @@ static bool gltf_place(vs_emitter *e, uint32_t geometry, const vs_affine *place)
 }
 
 /* Adds a solid as gltf_add_solid does, but first maps it by `place` and rounds it to 32-bit numbers. there: map from
- * these coordinates to the drawing, for warnings. A vertex is written once for each of its normals, so readers cannot
- * tell from the indices that the mesh is closed. */
+ * these coordinates to the drawing, for warnings. */
 static bool gltf_add_settled(vs_emitter *e, const vs_solid *m, const vs_affine *place, const vs_affine *there,
                              double crease, uint32_t *number) {
   vs_gltf *g = e->state;
