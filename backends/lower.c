@@ -165,8 +165,8 @@ bool vs_lower_objects(vs_emitter *e, const vs_refs *refs, int depth, vs_bends be
   return vs_solid_of_objects(refs, depth, &e->facets, &options, out, e->error);
 }
 
-/* The result for the drawing's solids: a single mesh (one), or a mesh for each group of equal parts (many). Either
- * pointer is NULL. */
+/* Pointers to the result for the drawing's solids: a single mesh (one), or a mesh for each group of equal parts (many).
+ * Either pointer is NULL. */
 typedef struct { vs_solid *one; vs_solid_copies *many; } lowered;
 
 /* ---- drawings of parts (solids/named_parts.h): the solids of each part are united by themselves ---- */
@@ -174,7 +174,8 @@ typedef struct { vs_solid *one; vs_solid_copies *many; } lowered;
 /* The result for all parts, and the room of its array `parts`. */
 typedef struct { lowered to; size_t room; } lower_sum;
 
-/* Appends the sources of faces to those of the result, with the name of their part. */
+/* Appends the sources of faces (the objects that the faces come from) to those of the result, with the name of their
+ * part. */
 static bool append_sources(vs_emitter *e, lower_sum *sum, const vs_solid_part *more, size_t count, const char *part) {
   vs_solid_part **all = sum->to.one ? &sum->to.one->parts : &sum->to.many->parts;
   size_t *used = sum->to.one ? &sum->to.one->part_count : &sum->to.many->part_count;
@@ -232,8 +233,8 @@ static bool append_copies(vs_emitter *e, lower_sum *sum, vs_solid_copies *from, 
   return true;
 }
 
-/* Computes the solids of refs, a part or all objects outside of parts. Rounds them to the format's numbers, and appends
- * them to the result. Adds the changes by rounding to *rounded. */
+/* Computes the solids of refs (a part, or all objects outside of parts), rounds them to the format's numbers, and
+ * appends them to the result. Adds the changes by rounding to *rounded. */
 static bool lower_part(vs_emitter *e, vs_refs refs, vs_bends bends, lower_sum *sum, vs_rounded *rounded) {
   const char *part = refs.at[0].node->kind == VS_PART ? VS_AS(part, refs.at[0].node)->name : NULL;
   vs_solid one = { .part_count = 0 };
@@ -300,8 +301,8 @@ static void lower_swap(lowered a, lowered b) {
   }
 }
 
-/* Computes the meshes of the drawing's solids with straight cut edges, without the bends that the kernel's grid causes.
- * If triangles of the result intersect, computes the meshes again with bends, and keeps the result with fewer
+/* Computes the meshes of the drawing's solids without the bends of cut edges that the kernel's grid causes. If
+ * triangles of the result intersect, computes the meshes again with bends, and keeps the result with fewer
  * intersections. */
 static bool lower_drawing(vs_emitter *e, lowered to) {
   vs_rounded what = { 0 }, bent_what = { 0 };

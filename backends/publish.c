@@ -159,9 +159,8 @@ bool vs_publish_begin(vs_publish *p, const char *path, bool named) {
   return false;
 }
 
-/* Gives a nameless file the name p->name, and renames it at once to the target. Only if the process is killed between
- * the two calls does p->name remain. Returns 0, or the errno of the call that failed. Nameless files are on local
- * disks, so closing them later reports no new error. */
+/* Gives a nameless file the name p->name, and renames it at once to the target. If the process is killed between the
+ * two calls, p->name remains. Returns 0, or the errno of the call that failed. */
 static int place_nameless(vs_publish *p) {
   bool done = false;
   if (!give_name(p, &done)) return errno;

@@ -52,8 +52,8 @@ typedef struct {
   double size, angle, align;
 } vs_sheet_words;
 
-/* vs_sheet_line and the next functions add a mark. They return false if memory is out, with the emitter's error set.
- * Points are in mm. The points a and b are the ends of a line, or opposite corners of a rectangle. */
+/* vs_sheet_line, vs_sheet_stroke, vs_sheet_rectangle and vs_sheet_text add a mark, with points in mm. They return false
+ * if memory is out, with the emitter's error set. */
 bool vs_sheet_line(const vs_sheet_pen *pen, vs_drawn_layer layer, const vs_sheet_point *at, size_t count, bool closed);
 bool vs_sheet_stroke(const vs_sheet_pen *pen, vs_drawn_layer layer, vs_sheet_point a, vs_sheet_point b);
 bool vs_sheet_rectangle(const vs_sheet_pen *pen, vs_drawn_layer layer, vs_sheet_point a, vs_sheet_point b);

@@ -30,7 +30,7 @@ size_t vs_loose_triangles(const vs_loose *l); /* returns the number of triangles
 size_t vs_loose_pieces(const vs_loose *l);    /* returns the number of segments in all lines */
 
 /* VS_LOOSE_SHAPES(more) contains the emit functions for a back-end that writes lines and open faces. more: further
- * traits of the back-end, or 0. The second macro is for a back-end that writes only open faces. */
+ * traits (flags) of the back-end, or 0. */
 #define VS_LOOSE_SHAPES(more)                                                                                          \
   .traits = VS_LOOSE | (more), .close = vs_loose_close,                                                                \
   VS_EMIT_SHAPES(vs_loose_leaf, vs_loose_line, vs_loose_through, vs_loose_boolean)

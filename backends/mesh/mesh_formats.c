@@ -190,9 +190,8 @@ const vs_backend vs_backend_off = {
   VS_LOOSE_FACES("OFF holds faces: curves are omitted")
 };
 
-/* ---- PLY: binary, little-endian, coordinates as doubles. Each face has its own colour, because faces of different
- * colours may have a common corner. Many programs read only the colours of vertices, so a drawing with materials also
- * has these: a vertex has the colour of the last of its faces ---- */
+/* ---- PLY: binary, little-endian, coordinates as doubles. Each face has its own colour. Many programs read only the
+ * colours of vertices, so a vertex also has the colour of the last of its faces ---- */
 
 static uint8_t ply_level(double x) { return (uint8_t)lround(255 * x); }
 
@@ -448,7 +447,7 @@ static char *obj_corners(const void *context, size_t begin, size_t end, char *to
   return to;
 }
 
-/* Writes the faces. Sets *last to the names of the last. */
+/* Writes the faces. Sets *last to the part and layer names of the last face. */
 static bool obj_faces(vs_emitter *e, const vs_solid *solid, const obj_groups *g, obj_names *last) {
   size_t paints = vs_emit_material_count(e) + 1, last_layer = 0;
   vs_writer *w = e->out;
@@ -469,8 +468,8 @@ static bool obj_faces(vs_emitter *e, const vs_solid *solid, const obj_groups *g,
   return !w->failed;
 }
 
-/* Writes lines and open faces after the solids. base: number of vertices written before; last: names of the last face
- * before. Writes `usemtl`, `o` and `g` at each change of material, part and layer. */
+/* Writes lines and open faces after the solids. base: number of vertices written before; last: names of the part and
+ * layer of the last face before. */
 static bool obj_loose(vs_emitter *e, uint32_t base, const obj_names *last) {
   const vs_loose *l = e->state;
   vs_writer *w = e->out;

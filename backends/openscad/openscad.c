@@ -333,8 +333,8 @@ static bool scad_pinches(const vs_revolve *r) {
   return false;
 }
 
-/* rotate_extrude rotates from +X, but begins a full turn at -X, which makes no difference with an even number of
- * facets. For a part of a turn, rotate_extrude makes floor($fn angle/360) facets. */
+/* rotate_extrude rotates from +X, but begins a full turn at -X. For a part of a turn, it makes floor($fn angle/360)
+ * facets. */
 static vs_emit_status scad_revolve(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   vs_revolve r;

@@ -70,9 +70,8 @@ static vs_vec3 face_normal(const apart *a, uint32_t face) {
   return vs_v3_unit(sum);
 }
 
-/* Connects the faces around an edge that more than two faces have in common. As seen along the edge, the faces are
- * sorted counter-clockwise. A face that uses the edge forwards is followed by empty space; a face that uses it
- * backwards is followed by solid. */
+/* Connects the faces around an edge that more than two faces have in common. The faces are sorted counter-clockwise, as
+ * seen along the edge. Space after a face is empty if the face uses the edge forwards, and solid if backwards. */
 static bool join_many(apart *a, side *s, size_t count) {
   vs_vec3 along = vs_v3_unit(vs_v3_sub(a->points[s->high], a->points[s->low]));
   vs_vec3 x = vs_v3_unit(vs_v3_cross(along, fabs(along.z) < 0.5 ? vs_v3(0, 0, 1) : vs_v3(1, 0, 0))),
@@ -109,8 +108,8 @@ static bool join_all(apart *a) {
   return true;
 }
 
-/* Lists the fans by point, with the flattest fan of a point first, and returns the number of fans. Sets *touches to
- * true if a point has two fans. A nearly flat fan is moved inwards. */
+/* Lists the fans (sets of corners at a point that edges connect) by point, with the flattest fan of a point first, and
+ * returns their number. Sets *touches to true if a point has two fans. */
 static size_t list_fans(apart *a, bool *touches) {
   size_t count = 0;
   for (uint32_t c = 0; c < a->corner_count; c++) { /* the number of a set of corners is that of its first corner, the
@@ -135,8 +134,8 @@ static size_t list_fans(apart *a, bool *touches) {
   return count;
 }
 
-/* Returns the distance by which fans are moved. OpenSCAD merges points closer than 2^-20 units, regardless of the
- * model's size. */
+/* Returns the distance by which fans (sets of corners at a point that edges connect) are moved. OpenSCAD merges points
+ * closer than 2^-20 units, regardless of the model's size. */
 static double apart_step(const apart *a) {
   vs_bounds all = vs_bounds_empty();
   for (size_t i = 0; i < a->point_count; i++) vs_bounds_add(&all, a->points[i]);

@@ -6,8 +6,7 @@
 #include "backends/povray/povray_materials.h"
 
 /* Returns the fraction of white light that a matt surface of material m scatters; the colour is multiplied by it. m may
- * be NULL. Clear glass scatters nothing, because POV-Ray would compute the bounced light of every pane that a ray
- * crosses. */
+ * be NULL. For clear glass the fraction is 0. */
 static inline double vs_povray_diffuse(const vs_material *m) {
   if (m && m->transparency > 0) return m->transparency < 0.9 ? 0.8 * (1 - m->transparency) : 0;
   return m && m->metallic > 0.5 ? 0.35 + 0.35 * m->roughness : 0.82;

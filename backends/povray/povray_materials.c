@@ -123,10 +123,8 @@ static void put_map(vs_writer *w, const stop *stops, size_t count) {
 
 /* ---- patterns on faces ---- */
 
-/* The parts of a masonry pattern, as functions of POV-Ray. Its units are bricks or stones, and its courses are the rows
- * of units. The functions follow the constants W (width of a unit), H (height of a course) and J (width of a joint), in
- * metres. `odd` is 1 in every second course, `along` is the position in a course in units of `length`, and `cell`
- * numbers the units. */
+/* The parts of a masonry pattern, as functions of POV-Ray. `odd` is 1 in every second course (row of bricks or stones),
+ * `along` is the position in a course in units of `length`, and `cell` numbers the bricks or stones. */
 typedef struct {
   const char *along, *cell, *length;
   double height, joint; /* height of a course (row of units) and width of a joint, as fractions of a unit's width */
@@ -145,9 +143,8 @@ static const courses courses_of[VS_PATTERN_COUNT] = {
                           0.03, 0.6 },
 };
 
-/* Macros of POV-Ray for masonry. VS_Odd is 1 in every second course. VS_Bond alternates long bricks (stretchers) and
- * short bricks (headers): the stretcher of a pair takes half of the interval [n, n+1), and the header the other half.
- * VS_Half distinguishes the halves. VS_Faces lays a pigment on faces by their normal. */
+/* Macros of POV-Ray for masonry: VS_Odd finds every second course (row of bricks), VS_Bond alternates long and short
+ * bricks, VS_Half tells a long brick from a short one, VS_Faces lays a pigment on faces by their normal. */
 static const char helpers[] =
     "#ifndef (VS_Cells)\n"
     "#declare VS_Cells = function { pattern { cells } }\n"
@@ -249,10 +246,8 @@ static void put_face_pigment(vs_emitter *e, const vs_material *m) {
 
 /* ---- pictures ---- */
 
-/* VS_Laid rotates the picture P to the faces of a tilt and an azimuth. VS_Side selects the azimuth within a half
- * turn; S is 1 for azimuths to the north and -1 for azimuths to the south. VS_Picture selects the tilt. A slope is
- * given as (1 + cosine) / 2. The limits between the selected directions lie halfway between them, as in
- * model/looks/picture.c. */
+/* Macros of POV-Ray for pictures. VS_Laid rotates the picture P to the faces of a tilt and an azimuth. VS_Side selects
+ * the azimuth within a half turn, VS_Picture the tilt. S is 1 for azimuths to the north and -1 to the south. */
 static const char picture_helpers[] =
     "#ifndef (VS_Step)\n"
     "#declare VS_Step = 22.5;\n"

@@ -205,10 +205,8 @@ static const vs_solid_part *pov_part(const vs_solid *s, size_t triangle) {
   return &s->parts[s->mesh.tags ? s->mesh.tags[triangle] : 0];
 }
 
-/* Adds a lining to a piece: a copy of its triangles slightly deeper in the solid. POV-Ray stores the planes of a mesh's
- * triangles in single precision, so neighbours have tiny gaps along their common edge. Of about ten thousand rays, a
- * single ray passes through a gap, and shows the space behind the solid as a bright dot. Only such rays reach the
- * lining. */
+/* Adds a lining to a piece: a copy of its triangles slightly deeper in the solid. Single-precision planes leave tiny
+ * gaps between POV-Ray's triangles, and the lining closes the view through these gaps. */
 static void pov_line(pov_piece *p) {
   const double deep = 4e-6; /* depth of the lining as a fraction of the largest coordinate: some tens of steps of single
                              * precision */

@@ -65,9 +65,8 @@ static void picture_remove_gain(vs_exr *x, double gain) {
     for (size_t i = 0; i < (size_t)x->columns * x->rows; i++) x->channels[k].at[i] *= share;
 }
 
-/* Copies the parts of the picture that the jobs have rendered into an empty picture of the size `wanted`. For a part,
- * POV-Ray renders a picture of full size that is black outside the part. Pictures of the night become floats, because
- * half floats have few digits for dark colours. */
+/* Copies the parts of the picture that the jobs have rendered into an empty picture of the size `wanted`. Pictures of
+ * the night become floats, because half floats have few digits for dark colours. */
 static bool picture_join(vs_emitter *e, const char *folder, const vs_povray_job *jobs, size_t count,
                          const vs_exr_part *wanted, vs_exr *x) {
   static const char *const channels[] = { "B", "G", "R" };

@@ -22,10 +22,8 @@
 
 #include "kernel/threads.h"
 
-/* STRIP: approximate height of a strip in pixels. SMALL: number of pixels of a small picture. PASS_LEAST, PASS_MOST,
- * PASS_MOST_FINAL: bounds of the longer side of the first pass in pixels, which is otherwise half of the picture's. The
- * second step computes the samples of light that the first pass missed. The samples of a `final` picture are closer, so
- * its first pass is larger. */
+/* STRIP: approximate height in pixels of a strip, the part of the picture that a run renders. SMALL: number of pixels
+ * of a small picture. PASS_LEAST, PASS_MOST, PASS_MOST_FINAL: bounds of the longer side of the first pass in pixels. */
 enum { STRIP = 120, SMALL = 1 << 15, PASS_LEAST = 200, PASS_MOST = 400, PASS_MOST_FINAL = 800 };
 
 static uint32_t between(uint32_t least, uint32_t x, uint32_t most) { return x < least ? least : x > most ? most : x; }
@@ -47,9 +45,8 @@ static void plan_passes(vs_povray_plan *p, vs_render_quality quality) {
   }
 }
 
-/* Returns the number of strips. It is even, because many machines have two processors. Every run of POV-Ray reads the
- * whole scene, and reading four triangles takes about as long as drawing a pixel. Reading may take at most a quarter of
- * the time for drawing. */
+/* Returns the number of strips of the picture, which is even. Every run of POV-Ray reads the whole scene, and the
+ * number is limited so that reading takes at most a quarter of the time for drawing. */
 static uint32_t strips_of(const vs_povray_plan *p, uint64_t triangles) {
   uint32_t most = between(p->columns >= 2 * STRIP ? 2 : 1, p->rows / STRIP, VS_POVRAY_STRIPS);
   uint64_t count = 1 + (uint64_t)p->columns * p->rows / (triangles + 1);

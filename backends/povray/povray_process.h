@@ -37,8 +37,7 @@ bool vs_povray_ended(vs_povray_process *p, int *status);
 /* Ends `count` processes by a signal and, if they still run after two seconds, by SIGKILL. */
 void vs_povray_stop(vs_povray_process *at, size_t count);
 /* Returns true if an ended process has rendered its picture. If POV-Ray warned that the picture may be wrong, sets
- * e->flaw. If there is no picture, returns false with the error set. Flaw and error have the place in the model if
- * POV-Ray's message contains a line number. */
+ * e->flaw. If there is no picture, returns false with the error set. */
 bool vs_povray_judge(vs_emitter *e, vs_povray_process *p, int status);
 /* Returns true if the process gave up before it began, because the machine was too busy. */
 bool vs_povray_was_starved(const vs_povray_process *p, int status);

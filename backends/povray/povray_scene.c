@@ -36,9 +36,8 @@ static void pov_word(vs_writer *w, const char *before, double x, const char *aft
 /* ---- the strength of the light ---- */
 
 /* Returns true if vs converts POV-Ray's light to the final picture, with a tone curve. The light is then as outdoors,
- * where the sun is several times as bright as the sky. In a .pov, from which POV-Ray itself makes the picture, colours
- * brighter than white are cut off. There, sun and sky together therefore make a white wall slightly darker than white.
- * If the sky is a picture, it has its own brightness, and the sun follows it. */
+ * where the sun is several times as bright as the sky. Otherwise the light is limited, because colours brighter than
+ * white are cut off. */
 static bool pov_is_developed(const vs_emitter *e) { return e->backend->render != NULL; }
 /* Returns the strength of the light at dusk, as a fraction of the light by day, multiplied by the gain
  * (vs_povray_gain). A sky that is a picture has its own light. */
@@ -77,9 +76,8 @@ double vs_povray_ambient(const vs_emitter *e) {
 
 /* ---- the surroundings of the model ---- */
 
-/* Writes the depth of focus of the camera. The diameter of a lens's opening is its focal length divided by its f-number
- * (ISO 517). POV-Ray's samples lie in half of its parameter `aperture` (tests/workers/focus.sh measures that). The
- * points in focus form a plane perpendicular to the line of sight. The samples also give smooth edges. */
+/* Writes the depth of focus of the camera. The diameter of a lens's opening is its focal length divided by its
+ * f-number. POV-Ray's samples lie in half of its parameter `aperture` (tests/workers/focus.sh measures that). */
 static void pov_focus(vs_emitter *e, const vs_look *l) {
   const vs_scene *s = e->scene;
   const char *samples = "4 confidence 0.5 variance 1/64";
@@ -165,8 +163,7 @@ static void pov_direct_light(vs_emitter *e, const vs_look *l, const pov_sun_plac
   /* area_light gives shadows a soft edge; computing it takes several times as long as all other work */
   if (e->options->quality == VS_RENDER_FINAL || e->scene->style == VS_STYLE_MODEL) {
     /* The keyword `orient` rotates the area of the light towards the lit point, so only the lengths of its two vectors
-     * matter. POV-Ray requires equal lengths to 1e-10, which rotated vectors written with twelve digits do not have.
-     * Therefore the vectors are parallel to the axes. */
+     * matter. POV-Ray requires exactly equal lengths, so the vectors are parallel to the axes. */
     pov_vector(w, "\n  area_light ", vs_v3(0.012 * p->far, 0, 0));
     pov_vector(w, ", ", vs_v3(0, 0.012 * p->far, 0));
     vs_puts(w, ", 3, 3 adaptive 1 circular orient");
@@ -179,8 +176,7 @@ static void pov_direct_light(vs_emitter *e, const vs_look *l, const pov_sun_plac
 static void pov_fill_lights(vs_emitter *e, const vs_look *l, const pov_sun_place *p) {
   vs_writer *w = e->out;
   double fill = pov_fill_strength(e);
-  /* 0.75 is the light of the plain sky on a horizontal surface; `fill` is scaled in proportion to the light of this
-   * sky */
+  /* scales `fill` by the light of this sky on a horizontal surface; for the plain sky it is 0.75 */
   if (pov_is_physical(e)) fill *= pov_daylight(e, l).fill / 0.75;
   else fill *= pov_dusk(e);
   pov_vector(w, "light_source { ", vs_v3_add(p->middle, vs_v3(-p->sun.x * p->far, -p->sun.y * p->far,
@@ -248,7 +244,7 @@ static vs_vec3 pov_light_of(vs_vec3 c, double strength) {
 }
 
 /* Returns the brightness of the floor that the sky sphere shows below the horizon. Two thirds of its light come from
- * the sun. The rest comes from the sky, in proportion to the luminance of a sky that the program coloured. */
+ * the sun, the rest from the sky. */
 static double pov_floor(const vs_emitter *e, const pov_air *air, bool sunless) {
   double full = pov_is_developed(e) ? 2.8 : 1, sky = 1;
   if (e->scene->has_sky) {
@@ -295,10 +291,8 @@ static void pov_sky(vs_emitter *e, const vs_look *l) {
   vs_puts(w, "    }\n    scale 2 translate -z\n  }\n}\n");
 }
 
-/* Writes a second layer of the ground: haze of the sky's colour, so that no line separates ground and sky. The share of
- * the haze grows as (1 - NEAR / distance)^2.2. It is 0 at NEAR times the size of the framed drawing, and 1 at FAR times
- * that size. The distance of a point of the ground is proportional to one over its angle below the horizon, and
- * perceived brightness to the 2.2th root. The haze therefore grows evenly with the height in the picture. */
+/* Writes a second layer of the ground: haze of the sky's colour, so that no line separates ground and sky. The haze
+ * begins at NEAR times the size of the framed drawing, and is complete at FAR times that size. */
 static void pov_ground_haze(vs_emitter *e, const vs_look *l, double diagonal, double z) {
   enum { COUNT = 10 };
   const double near = 1.3, far = 60, at[COUNT] = { far, 30, 15, 9, 6, 4, 3, 2.2, 1.7, near };
@@ -336,9 +330,8 @@ static vs_vec3 pov_fog_light(const vs_emitter *e, const vs_look *l) {
   return pov_light_of(pov_air_of(e, l).haze, e->scene->sky_image == NULL ? pov_sky_strength(e) : 1);
 }
 
-/* Writes the fog. Light decreases with the distance as exp(-x / distance). At the visibility (the meteorological
- * optical range of the WMO), a twentieth remains. Above its height, fog of type 2 becomes thinner with the square of
- * the height, so the sky overhead is visible. */
+/* Writes the fog. Light decreases with the distance as exp(-x / distance); at the visibility that the program sets, a
+ * twentieth remains. Above its height, the fog becomes thinner, so the sky overhead is visible. */
 static void pov_fog(vs_emitter *e, const vs_look *l) {
   const vs_scene *s = e->scene;
   vs_writer *w = e->out;
@@ -420,9 +413,8 @@ static void pov_put_radiosity(vs_emitter *e) {
   vs_puts(e->out, pov_is_developed(e) ? "#end }\n" : "}\n");
 }
 
-/* Returns the length of a model unit in the scene. POV-Ray has absolute tolerances: objects much smaller than a unit of
- * the scene have holes, and meshes of millions of units are invisible. Such drawings are scaled by a power of ten, so
- * that their size is some tens of units. */
+/* Returns the length of a model unit in the scene. Because POV-Ray has absolute tolerances, very small and very large
+ * drawings are scaled by a power of ten to a size of some tens of units. */
 static double pov_unit(double diagonal) {
   return diagonal > 0.1 && diagonal < 1e5 ? 1 : pow(10, 1 - floor(log10(diagonal)));
 }
@@ -431,9 +423,8 @@ static double pov_unit(double diagonal) {
  * radians. */
 static double pov_half_width(const vs_look *l) { return l->panorama ? pi : tan(l->angle / 2); }
 
-/* Returns the data for the thickness of curves. It is at least two pixels and at least 1/450 of the picture's width, so
- * that large pictures show curves. Points closer than a thousandth of the drawing's size, or behind the camera, are
- * treated as if at that distance. */
+/* Returns the data for the thickness of curves: at least two pixels and at least 1/450 of the picture's width. Points
+ * very close to the camera, or behind it, are treated as if at a small distance. */
 static vs_pen pov_pen(const vs_emitter *e, const vs_look *l, int width) {
   double across = fmax(2. / width, 1. / 450); /* thickness of curves as a fraction of the picture's width */
   if (l->parallel) return (vs_pen){ .least = across * l->width / 2 };
@@ -460,10 +451,7 @@ static double pov_pixel(const vs_emitter *e, const vs_look *l, int width) {
 }
 
 /* Returns the greatest distance of a chord from its arc, as a fraction of the drawing's tolerance. The distance is an
- * eighth of a pixel at the nearest point of the drawing, but between a sixteenth of the tolerance and the tolerance.
- * Half a pixel would suffice for outlines. But where a round surface turns away from the sun, a facet darkens as a
- * whole as soon as its own plane faces away, before the shading does. This makes steps as wide as a facet, which are
- * clearly visible with half a pixel. A limit of triangles concerns the model, not these finer facets. */
+ * eighth of a pixel at the nearest point of the drawing, but between a sixteenth of the tolerance and the tolerance. */
 static double pov_chord(const vs_emitter *e, double pixel) {
   if (e->job->limits.mesh_triangles > 0) return 1;
   return fmin(1, fmax(1. / 16, pixel / 8 / e->unit / e->drawing_facets.tolerance));

@@ -435,9 +435,9 @@ vs_emit_status vs_povray_native(vs_emitter *e, const vs_ref *ref, vs_phase phase
 vs_emit_status vs_povray_csg(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   const vs_node *n = ref->node;
   if (phase == VS_PHASE_LEAVE) {
-    /* If a cutter without paint cuts a painted solid, the cut face has the solid's paint. In POV-Ray this requires the
-     * keyword cutaway_textures, which makes unpainted parts of a difference black. Therefore it is written only if
-     * every part of the solid has paint. */
+    /* If a cutter without paint cuts a painted solid, the cut face has the solid's paint. The keyword cutaway_textures
+     * does this in POV-Ray, but it makes unpainted parts black, so it is written only if every part of the solid has
+     * paint. */
     bool whole = n->kind != VS_DIFFERENCE || !vs_emit_is_bare(e, n->children[0].node);
     if (n->kind != VS_UNION && whole && vs_emit_is_painted(e, n) && vs_emit_is_bare(e, n))
       pov_open(e, "  cutaway_textures\n");

@@ -30,9 +30,8 @@ vs_povray_daylight vs_povray_daylight_of(const vs_scene *scene, vs_vec3 sun, dou
   return d;
 }
 
-/* Returns the greatest value of red, green and blue in the sky, which is the end of the pigments' colour maps. The
- * greatest value lies at the horizon or near the sun; a grid of directions between them misses at most a few percent of
- * it. A tenth is added as margin. */
+/* Returns the greatest value of red, green and blue in the sky, which is the end of the pigments' colour maps. It is
+ * the maximum over a grid of directions, with a tenth added as margin. */
 static double brightest(const vs_povray_daylight *d) {
   vs_vec3 c = vs_sky_light_at(&d->sky, d->sky.sun);
   double most = fmax(c.x, fmax(c.y, c.z));

@@ -16,8 +16,7 @@ typedef struct {
 } vs_povray_daylight;
 
 /* Returns the gain of the scene's light, a power of 2: 1 by day. In twilight and at night, the strength of every light
- * is multiplied by the gain, because POV-Ray does not smooth edges between two dark colours, and half floats have few
- * digits below 0.0001. If vs makes the final picture, it divides the light by the gain again. */
+ * is multiplied by the gain. If vs makes the final picture, it divides the light by the gain again. */
 double vs_povray_gain(const vs_scene *scene);
 /* Returns the data of a scene's daylight. sun: direction towards the sun. strength: factor for the light; 1 if vs
  * converts it to the final picture. */

@@ -25,7 +25,7 @@ enum { AT_ONCE = 64, STARTS = 5, NAME_ROOM = VS_POVRAY_PATH_ROOM + 40, WORDS = 2
 /* Estimated time of the first pass, as a fraction of the time of all runs: it takes about half as long as the
  * strips. */
 static const double pass_share = 0.35;
-/* Limit of the exposure in stops. If an exposure darkens the picture by more stops, the file of samples, which has four
+/* Limit of the exposure in stops. If an exposure darkens the picture by more, the file of light samples, which has four
  * digits after the point, is too coarse. */
 static const double darkest = 5;
 /* Limit of the drawing's distance from the origin, as a multiple of its size. At larger distances, the six digits in
