@@ -33,11 +33,12 @@ typedef struct {
   bool open;         /* whether the text of the run that is being written will be cached */
   uint64_t triangles; /* number of triangles in the run (sequence of shapes) that is being written, set at its end */
   uint64_t from;     /* number of bytes that the writer had written before the current run */
-  char *caught;      /* part of the current run's text that has already left the writer's buffer */
+  char *caught;      /* part of the text of the current run (sequence of shapes) that has already left the writer's
+                      * buffer */
   size_t caught_count, caught_room;
   /* numbers: the numbers of templates and materials in the run (sequence of shapes), without duplicates, in order of
-   * use. The second array is its inverse: it maps a number to its index in `numbers`. An entry is valid if its member
-   * `run` is the current run. */
+   * use. The second array maps a number to its index in `numbers`; an entry is valid if its member `run` is the current
+   * run. */
   uint32_t *numbers[VS_NUMBER_KINDS], run;
   size_t number_count[VS_NUMBER_KINDS], number_room[VS_NUMBER_KINDS];
   vs_reuse_local *locals[VS_NUMBER_KINDS];
@@ -45,7 +46,7 @@ typedef struct {
   uint64_t *slots;   /* slots: positions of numbers in the run's text, packed: position << 32 | index in `numbers` << 8
                       * | count of digits << 1 | kind */
   size_t slot_count, slot_room;
-  const char **said; /* addresses of the warnings that writing the run has caused */
+  const char **said; /* addresses of the warnings that writing the run (sequence of shapes) has caused */
   size_t said_count, said_room;
 } vs_reuse;
 

@@ -15,7 +15,7 @@ typedef struct {
   struct { uint32_t *at; size_t room; } units[VS_UNIT_COUNT]; /* units[u].at[f]: 1 + number of the shape of unit form
                                                                * u with f facets in a full turn; 0: there is no such
                                                                * shape */
-  vs_nodemap nodes;           /* for a node, 1 + the index of its element in `made` */
+  vs_nodemap nodes;           /* maps a node to 1 + the index of its element in `made` */
   vs_shared_node *made;
   size_t made_count, made_room;
 } vs_shared_shapes;           /* an empty vs_shared_shapes is { .nodes.store = s } */

@@ -24,8 +24,8 @@ typedef struct {
 } vs_run;
 
 /* Finds the run (sequence of shapes whose text is cached) that begins at neighbour `from` of the row. If its text is in
- * the cache, writes it. Otherwise, if the run is worth caching, its text is recorded until vs_drive_run_end. Returns
- * false, with e's error set, on failure; run->until is set even then. */
+ * the cache, writes it; otherwise, if it is worth caching, records it until vs_drive_run_end. Returns false, with e's
+ * error set, on failure. */
 bool vs_drive_run(vs_emitter *e, const vs_run_row *row, size_t from, vs_run *run);
 void vs_drive_run_end(vs_emitter *e);
 

@@ -49,8 +49,7 @@ bool vs_drive_mark_ref(vs_emitter *e, const vs_ref *ref) {
 }
 
 /* Returns the node's rank for lowering: a node is replaced only by nodes of lower rank, so that lowering ends. Ranks
- * follow the column `level` of the table of kinds. Within a level, shapes with parts have a higher rank than other
- * shapes. The two kinds in which all lowering ends have the lowest ranks. */
+ * follow the column `level` of the table of kinds. */
 static int drive_rank(const vs_node *n) {
   if (n->kind == VS_POLYFACE_MESH || n->kind == VS_LINE) return 2 * VS_LEVEL_MESH;
   const vs_shape *shape = vs_shape_of(n);

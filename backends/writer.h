@@ -76,8 +76,7 @@ bool vs_put_base64(vs_writer *w, const unsigned char *bytes, size_t count); /* w
 /* Writes a text of the user or of a file, escaped by the function `spell` for the output's notation. */
 void vs_put_spelled(vs_writer *w, vs_speller *spell, const char *text);
 void vs_put_xml(vs_writer *w, const char *text); /* escapes text for XML and HTML, including attributes */
-/* vs_le_u32 and the next functions write little-endian values for binary formats. Each returns the position after the
- * written bytes. */
+/* Writes a 32-bit little-endian number for a binary format. Returns the position after the written bytes. */
 static inline unsigned char *vs_le_u32(unsigned char *to, uint32_t x) {
   to[0] = (unsigned char)x, to[1] = (unsigned char)(x >> 8), to[2] = (unsigned char)(x >> 16),
   to[3] = (unsigned char)(x >> 24);

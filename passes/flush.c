@@ -65,8 +65,7 @@ static int compare_planes(const void *p, const void *q) {
 static bool same_plane(const face_plane *a, const face_plane *b) { return memcmp(a->key, b->key, sizeof a->key) == 0; }
 
 /* Adds a plane, given by the point `at` and the normal, to the planes of an operand. Both directions of a normal have
- * one key. Limits between two rounded numbers are at values that no model uses, so that numbers that differ only by
- * rounding errors almost always have equal keys. */
+ * one key. */
 static bool add_plane(flush *f, vs_vec3 normal, vs_vec3 at, uint32_t operand) {
   vs_vec3 n = vs_v3_unit(normal);
   double first = fabs(n.x) > 1e-7 ? n.x : fabs(n.y) > 1e-7 ? n.y : n.z, h;
@@ -154,9 +153,8 @@ static bool add_operand(flush *f, const vs_node *operand, uint32_t number, bool 
   return true;
 }
 
-/* Marks the operands that share a plane with an earlier operand. In an intersection, this may be any earlier operand.
- * In a difference, it is the first operand, or an earlier cutter that is touched face to face: POV-Ray shows a thin
- * skin between such cutters. */
+/* Marks the operands that share a plane with an earlier operand. In a difference, the earlier operand must be the
+ * first, or a cutter that is touched face to face. */
 static void mark(flush *f, bool difference, unsigned char *marked, size_t operands) {
   size_t pairs = 0;
   if (f->count > 0) qsort(f->planes, f->count, sizeof *f->planes, compare_planes);

@@ -5,9 +5,8 @@
 
 #include "model/scene.h"
 
-/* Enlarges some operands of the scene's differences and intersections by 2^-16 of their size. These are operands with a
- * face in one plane with the solid that they cut, and cutters that touch another cutter face to face. The surface of
- * the result does not move. Returns false, with e set, on failure. */
+/* Enlarges, by 2^-16 of their size, operands of the scene's differences and intersections that have a face in one plane
+ * with the solid that they cut, or touch another cutter face to face. Returns false, with e set, on failure. */
 bool vs_scene_part_flush(vs_scene *scene, vs_error *e);
 
 #endif

@@ -80,8 +80,8 @@ static vs_node *fold_carry_placement(vs_rewrite *w, const vs_affine *a, const vs
 }
 
 /* Returns a new reference to n under the placement a, without an additional command. Returns NULL and sets *fits to
- * false if n cannot absorb the placement. Returns NULL with *fits true if memory is out. Sets *origin if n's child
- * replaces n. The recursion is as deep as profiles, wrappers and one set are nested. */
+ * false if n cannot absorb the placement; returns NULL with *fits true if memory is out. Sets *origin if n's child
+ * replaces n. */
 static vs_node *fold_carry(vs_rewrite *w, const vs_affine *a, const vs_node *n, fold_way way, bool *fits,
                            const vs_origin **origin) {
   if (n->kind == VS_TRANSFORM) {
@@ -167,8 +167,7 @@ static vs_node *fold_raise(vs_rewrite *w, const vs_node *set, vs_kind kind, cons
 }
 
 /* Returns a set of the kids, in which a wrapper (material or layer) that neighbours have in common is moved around
- * these neighbours. New nodes have the origin of `set`. Calls itself twice for each nested wrapper, to a depth of at
- * most `depth`. */
+ * these neighbours. New nodes have the origin of `set`. */
 static vs_node *fold_members(vs_rewrite *w, const vs_node *set, vs_kind kind, const vs_ref *kids, uint32_t count,
                              int depth) {
   if (depth > 0 && fold_run(w, kids, 0, count) == count) return fold_raise(w, set, kind, kids, count, depth - 1);

@@ -5,8 +5,7 @@
 #include "passes/passes.h"
 
 /* Converts sets of very many cutters to trees of boxes (group.c), for a target program that tests every part of a set
- * for every ray. This adds commands, and does not change the drawn shape. The option `bounds` must be set. Callers run
- * this pass themselves, because vs_passes_run does not. Returns false, with e set, on failure. */
+ * for every ray. The option `bounds` must be set. Returns false, with e set, on failure. */
 bool vs_sets_group(vs_store *s, vs_ref *refs, size_t count, const vs_pass_options *options, vs_error *e);
 
 #endif

@@ -4,9 +4,8 @@
 
 #include "model/scene.h"
 
-/* Gives a dark material to curves, flat regions and open surfaces without a material. Rewrites the scene's drawn array,
- * which belongs to the store. For a drawing of solids it only examines each drawn object. Returns false, with e set, if
- * memory is out or the run is interrupted. */
+/* Gives a dark material to curves, flat regions and open surfaces without a material, in the scene's drawn array.
+ * Returns false, with e set, if memory is out or the run is interrupted. */
 bool vs_scene_ink(vs_scene *scene, vs_error *e);
 
 #endif

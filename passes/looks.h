@@ -6,9 +6,8 @@
 #include "model/scene.h"
 
 /* Moves materials and layers out of flat differences, intersections, offsets, hulls and filled curves, so that each of
- * these has one material and one layer. Rewrites the scene's drawn array, which belongs to the store. If a drawing has
- * only solids, it examines only the drawn objects themselves. Returns false, with e set, if memory is out or the run is
- * interrupted. */
+ * these has one material and one layer. Rewrites the scene's drawn array. Returns false, with e set, if memory is out
+ * or the run is interrupted. */
 bool vs_scene_looks(vs_scene *scene, vs_error *e);
 
 #endif

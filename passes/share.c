@@ -77,8 +77,8 @@ typedef struct {
   vs_share_entry *at; /* at[i]: entry of the node with the number i */
   size_t count, room;
   double quantum;
-  vs_share_step *steps; /* hash table of steps: a number in quanta, rounded down, is in a step; the step's entry has the
-                         * first number in it that was hashed */
+  vs_share_step *steps; /* hash table of steps (intervals of nearly equal numbers); a step's entry has the first number
+                         * in it that was hashed */
   size_t step_count, step_room;
   vs_share_turn *turns;
   size_t turn_count, turn_room;
@@ -113,9 +113,9 @@ static bool share_grow(vs_share *s) {
   return true;
 }
 
-/* Returns the number that is hashed instead of x, so that nearly equal numbers have equal hashes; both are in quanta.
- * It is the nearest earlier number in the step of x, or at most half a quantum away in a neighbouring step. If there is
- * none, it is x itself, which is entered for its step. */
+/* Returns the number that is hashed instead of x, so that nearly equal numbers have equal hashes. It is the nearest
+ * earlier number in the step (interval) of x, or at most half a step away. If there is none, it is x itself, which is
+ * entered for its step. */
 static double share_snap(vs_share *s, double x) {
   if (!isfinite(x) || s->starved) return 0;
   double step = floor(x), best = (double)NAN, reach = 1;
@@ -353,9 +353,8 @@ static bool share_pays(const vs_share_entry *first) {
   return (copies - 1) * first->cost > 2 * copies;
 }
 
-/* Returns the number of commands of a copy of the node at `index`. named: number of references to the node's shape.
- * A part with more references than that becomes a template in any case, so it counts only as a reference to the
- * template. */
+/* Returns the number of commands of a copy of the node at `index`. named: number of references to the node's shape. A
+ * part with more references counts only as a reference to a template. */
 static double share_cost(const vs_share *s, size_t index, double named) {
   const vs_node *n = s->order->at[index].node;
   double cost = 1;
@@ -434,9 +433,8 @@ static bool share_add_turn(vs_share *s, size_t index, size_t head, const vs_affi
   return true;
 }
 
-/* Merges groups of nodes whose shapes are equal up to rotation and reflection. Compares each shape with the first
- * HEADS_MOST shapes of its form, and a limited number of points, so that the cost does not grow with the square of the
- * number of shapes. Returns false if memory is out or the run is interrupted. */
+/* Merges groups of nodes whose shapes are equal up to rotation and reflection. Limits the comparisons, so that the cost
+ * does not grow with the square of the number of shapes. Returns false if memory is out or the run is interrupted. */
 static bool share_turns(vs_share *s, vs_error *e) {
   enum { HEADS_MOST = 6 };
   size_t count = 0, heads[HEADS_MOST], head_count = 0, work = 0, most = 100000 + 50 * s->count;

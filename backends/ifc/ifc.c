@@ -33,7 +33,7 @@ typedef struct {
   size_t storey_count, storey_room;
   ifc_map *maps;
   size_t map_count, map_room;
-  vs_nodemap shared;      /* for a node, 1 + the index of its ifc_map */
+  vs_nodemap shared;      /* maps a node to 1 + the index of its ifc_map */
   unsigned *styles;       /* styles[i]: line number of the surface style of material i; 0: not written yet */
   vs_ifc_list *painted;   /* painted[i]: list of the elements with material i */
   vs_ifc_list items;      /* line numbers of the items of the shape that is being written */

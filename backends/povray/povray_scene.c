@@ -330,8 +330,8 @@ static vs_vec3 pov_fog_light(const vs_emitter *e, const vs_look *l) {
   return pov_light_of(pov_air_of(e, l).haze, e->scene->sky_image == NULL ? pov_sky_strength(e) : 1);
 }
 
-/* Writes the fog. Light decreases with the distance as exp(-x / distance); at the visibility that the program sets, a
- * twentieth remains. Above its height, the fog becomes thinner, so the sky overhead is visible. */
+/* Writes the fog. Light decreases with the distance as exp(-x / distance); at the visibility (meteorological optical
+ * range), a twentieth remains. Above its height, fog of type 2 becomes thinner, so the sky overhead is visible. */
 static void pov_fog(vs_emitter *e, const vs_look *l) {
   const vs_scene *s = e->scene;
   vs_writer *w = e->out;

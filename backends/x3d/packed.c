@@ -236,9 +236,9 @@ static void packed_material(vs_emitter *e, size_t number) {
   packed_end(e);
 }
 
-/* Writes the physical sky as light of linear sRGB, where 1 is 10,000 cd/m2. Columns go from the sun's side to the
- * opposite side. Rows go from the horizon to the zenith, by the square root of the angle above the horizon. Also writes
- * the light that a white surface has from the sun and from the sky. */
+/* Writes the physical sky as light of linear sRGB, where 1 is 10,000 cd/m2: columns from the sun's side to the opposite
+ * side, rows from the horizon to the zenith. Also writes the light that a white surface has from the sun and from the
+ * sky. */
 static void packed_daylight(vs_emitter *e, vs_vec3 sun) {
   enum { COLUMNS = 25, ROWS = 13 };
   const double pi = 3.14159265358979323846, per_candela = 1e-4, per_lux = per_candela / pi;

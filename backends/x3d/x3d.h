@@ -53,7 +53,7 @@ typedef struct {
   bool bare;                   /* whether a part of the group has no material, and gets the paint of the group's use */
   uint32_t *paints;            /* paints with which the group is used; only 0 if the group is not bare */
   size_t paint_count, paint_room;
-  const char *part;            /* name of the part; NULL: the group is none */
+  const char *part;            /* name of the drawing's part that the group is; NULL: the group is no part */
 } vs_x3d_group;
 
 typedef struct {
