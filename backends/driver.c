@@ -13,8 +13,9 @@
 #include "model/job.h"
 #include "model/store/cache.h"
 
-/* Searches the cache for the text of consecutive drawn objects, from index `from` on. If the text is cached, writes it
- * and sets *next to the index after them. Sets *asked to the index before which no further search is needed. */
+/* Searches the cache for the text of the consecutive drawn objects that begin at index `from`. If the text is
+ * cached, writes it and sets *next to the index after them. Sets *asked to the index before which no further search
+ * is needed. */
 static bool drive_root(vs_emitter *e, const vs_run_row *row, size_t from, size_t *asked, size_t *next) {
   vs_run run;
   if (e->drive->reuse.cache == NULL || e->drive->reuse.open || from < *asked) return true;

@@ -54,8 +54,7 @@ typedef struct {
  * cached, and nothing else changes. */
 bool vs_reuse_more(vs_reuse *r, void *array, size_t *room, size_t need, size_t size);
 bool vs_reuse_grow(vs_reuse *r, size_t need);
-/* vs_reuse_room and the next functions put words into the key: the next word, or the words of a node's values. The
- * caller puts the numbers of the node's materials. */
+/* Makes room for `need` more words in the key. Returns false if the text cannot be cached. */
 static inline bool vs_reuse_room(vs_reuse *r, size_t need) {
   return r->room - r->count >= need || vs_reuse_grow(r, need);
 }
@@ -63,9 +62,9 @@ static inline void vs_reuse_put(vs_reuse *r, uint64_t word) {
   if (vs_reuse_room(r, 1)) r->words[r->count++] = word;
 }
 void vs_reuse_put_reals(vs_reuse *r, const double *reals, size_t count);
-void vs_reuse_put_number(vs_reuse *r, vs_number_kind kind, uint32_t number); /* puts the index of a number in `numbers`,
-                                                                              * by order of use within the run, into the
-                                                                              * key */
+void vs_reuse_put_number(vs_reuse *r, vs_number_kind kind, uint32_t number); /* puts a number of a template or
+                                                                              * material into the key, as its index
+                                                                              * in `numbers` */
 void vs_reuse_put_payload(vs_reuse *r, const vs_kind_info *info, const void *data);
 
 /* A text found in the cache: its bytes, the numbers in it, the origins of its lines (the first is line 0) and its

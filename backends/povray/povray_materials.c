@@ -143,8 +143,8 @@ static const courses courses_of[VS_PATTERN_COUNT] = {
                           0.03, 0.6 },
 };
 
-/* Macros of POV-Ray for masonry: VS_Odd finds every second course (row of bricks), VS_Bond alternates long and short
- * bricks, VS_Half tells a long brick from a short one, VS_Faces lays a pigment on faces by their normal. */
+/* Macros of POV-Ray for masonry. VS_Odd is 1 in every second course (row of bricks). VS_Bond alternates long and short
+ * bricks, and VS_Half distinguishes them. VS_Faces lays a pigment on faces by their normal. */
 static const char helpers[] =
     "#ifndef (VS_Cells)\n"
     "#declare VS_Cells = function { pattern { cells } }\n"

@@ -35,8 +35,8 @@ typedef struct {
 /* Returns the plan of a picture. triangles: number of triangles in its scene. metered: whether its exposure is computed
  * from the picture. alone: whether a single run of POV-Ray renders the entire picture. */
 vs_povray_plan vs_povray_plan_of(const vs_export_options *o, uint64_t triangles, bool metered, bool alone);
-/* Returns how many of the jobs may run at a time: as many as there are processors, or fewer if they would need more
- * than half of the machine's memory. scene: size of the scene's text in bytes. */
+/* Returns how many of the jobs may run at a time: at most as many as there are processors, and as need no more than
+ * half of the machine's memory. The parameter scene is the size of the scene's text in bytes. */
 size_t vs_povray_at_once(const vs_export_options *o, const vs_povray_job *job, uint64_t scene);
 /* Returns the size in megabytes of the picture that POV-Ray keeps for a job. */
 double vs_povray_megabytes(const vs_povray_job *job);
