@@ -72,8 +72,9 @@ struct vs_drive {
   vs_solid scratch; /* mesh of a node without an entry, valid until the next such mesh is computed */
   uint32_t ticks;
   vs_reuse reuse;       /* cache of the text of earlier outputs (reuse.h) */
-  size_t run_frames, run_until; /* for the cached sequence of shapes that is being written. run_frames: number of open
-                                 * frames at its beginning. run_until: index of the child before which it ends */
+  size_t run_frames, run_until; /* for the cached sequence of shapes that is being written. run_frames: number of frames
+                                 * (open operations) at its beginning. run_until: index of the child before which it
+                                 * ends */
   size_t run_line, run_first;   /* run_line: first line of the cached sequence that is being written. run_first: number
                                  * of recorded line origins before it */
 };
@@ -95,8 +96,8 @@ static inline bool drive_is_operation(const vs_emitter *e, const vs_node *n) {
   return e->drive->operation[n->kind];
 }
 
-/* Data of a node that are equal at all its places. entry: NULL for a leaf with a single reference. operation: whether
- * the driver visits the node's children. vain: whether the node draws nothing. */
+/* Data of a node that are equal at all its places. operation: whether the driver visits the node's children. vain:
+ * whether the node draws nothing. */
 typedef struct { drive_entry *entry; bool operation, vain; } drive_view;
 
 static inline bool drive_leaf_vain(const vs_emitter *e, const vs_node *n) {

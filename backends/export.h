@@ -27,7 +27,8 @@ typedef struct {
   unsigned threads;   /* number of processors that a worker program may use; 0: all processors */
   const void *given;  /* finished text, which vs_backend_given writes instead of a drawing */
   size_t given_size;
-  bool keeps_parts;   /* whether parts stay parts, also for formats that have no names for them */
+  bool keeps_parts;   /* whether the named parts of the model (nodes of kind VS_PART) are kept, also for formats that
+                       * have no names for parts */
   bool up_y;          /* whether formats with VS_TURNS get the model with Y upwards instead of Z */
   bool strict;        /* whether a warning that a format omits or changes an object is an error */
   bool safe;          /* true if limits are set: no text of the user then reaches a worker program as directives */

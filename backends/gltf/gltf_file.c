@@ -142,8 +142,8 @@ static void gltf_accessor(vs_writer *w, const gltf_file *f, size_t *index, gltf_
 static void gltf_accessors(vs_writer *w, const gltf_file *f, const vs_gltf *g) {
   size_t index = 0;
   vs_puts(w, ",\"accessors\":[");
-  for (size_t i = 0; i < g->primitive_count && !w->failed; i++) { /* three accessors for each primitive: numbers 3i to
-                                                                   * 3i + 2 */
+  for (size_t i = 0; i < g->primitive_count && !w->failed; i++) { /* three accessors (descriptions of ranges of numbers)
+                                                                   * for each primitive: numbers 3i to 3i + 2 */
     const vs_gltf_primitive *p = &g->primitives[i];
     size_t indices = p->wide ? VIEW_WIDE : VIEW_NARROW;
     gltf_accessor(w, f, &index, (gltf_stretch){ VIEW_POSITIONS, p->vertices, p->vertex_count, p });

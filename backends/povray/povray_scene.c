@@ -400,8 +400,8 @@ static const char *pov_radiosity(vs_render_quality q) {
   return "";
 }
 
-/* Writes the settings of radiosity. A run of POV-Ray that reads samples of light from a file computes no grid of
- * samples (its first step is as wide as the picture), and as few new samples as possible (povray_plan.c). */
+/* Writes the settings of radiosity. A run of POV-Ray that reads samples of light from a file computes as few new
+ * samples as possible (povray_plan.c). */
 static void pov_put_radiosity(vs_emitter *e) {
   vs_render_quality quality = e->options->quality;
   if (quality == VS_RENDER_DRAFT) return;

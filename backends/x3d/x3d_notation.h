@@ -4,8 +4,8 @@
 
 #include "backends/backend.h"
 
-/* vs_x3d_node begins a node, and vs_x3d_use writes the use of a named node. The parameter `field` is the field of the
- * parent that contains the node; NULL means the parent's list of children. If def is NULL, the node has no name. */
+/* vs_x3d_node begins a node, and vs_x3d_use writes the use of a named node. field: the parent's field that contains the
+ * node; NULL: the parent's list of children. If def is NULL, the node has no name. */
 void vs_x3d_node(vs_emitter *e, const char *field, const char *type, const char *def);
 void vs_x3d_use(vs_emitter *e, const char *field, const char *type, const char *name);
 void vs_x3d_children(vs_emitter *e); /* begins a list of children; the node's fields come before it */
