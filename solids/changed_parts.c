@@ -220,8 +220,8 @@ static bool pair(matching *m, size_t rule, uint32_t p, uint32_t q, vs_error *e) 
   return true;
 }
 
-/* greatest number of steps for pairing parts with one key; if more would be needed, parts are paired in the order of
- * drawing */
+/* greatest number of steps for pairing equal parts by position; if more would be needed, parts are paired in the order
+ * of drawing */
 static const double MOST_STEPS = 1e8;
 
 /* All parts of one drawing with the same key (hash of properties). */
@@ -384,8 +384,7 @@ static void sort_parts(const vs_drawn_parts *p, const vs_part_match *match, refs
   }
 }
 
-/* Copies to out each reference of `from` that is a solid; other objects cannot be subtracted. Returns false on
- * failure. */
+/* Copies to out each reference of `from` that is a solid. Returns false on failure. */
 static bool only_solids(refs *out, const refs *from) {
   for (size_t i = 0; i < from->count; i++)
     if (from->at[i].node->class_ == VS_SOLID) refs_add(out, vs_node_retain(from->at[i].node), from->at[i].origin);

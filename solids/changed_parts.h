@@ -35,23 +35,21 @@ typedef enum {
 typedef struct { vs_part_fate fate; uint32_t other; /* other: index of the pair in the other drawing's parts; undefined
                                                      * if fate is VS_PART_ALONE */ } vs_part_match;
 
-/* Pairs the parts of the lists a and b. before[]: receives the pairs of a's parts; after[]: those of b's parts. Each
- * part has at most one pair. Moved and changed parts are paired so that the sum of their distances and differences in
- * size is least, or in order if that would take too long. Returns false if memory is out or the caller interrupts. */
+/* Pairs the parts of the lists a and b. before[]: receives the pair of each part of a; after[]: that of each part of
+ * b. Among equal parts, the nearest and most similar are paired. Returns false if memory is out or the caller
+ * interrupts. */
 bool vs_drawn_parts_match(const vs_drawn_parts *a, const vs_drawn_parts *b, vs_part_match *before, vs_part_match *after,
                           vs_error *e);
 
-/* The three results of a comparison: the space in both lists, only in the second list, and only in the first list. Each
- * is an object whose node the caller owns, without materials and layers; NULL if it is empty. From each solid, the
- * other list's solids at the same place are subtracted; curves, regions and surfaces are kept as whole parts. */
+/* The results of a comparison of two drawings: the space in both, only in the second, and only in the first. Each is an
+ * object without materials and layers, whose node the caller owns; NULL if it is empty. */
 typedef enum { VS_CHANGE_KEPT, VS_CHANGE_ADDED, VS_CHANGE_REMOVED, VS_CHANGES } vs_change;
 bool vs_drawn_parts_change(const vs_drawn_parts *a, const vs_drawn_parts *b, const vs_part_match *before,
                            const vs_part_match *after,
                            vs_node *out[VS_CHANGES], vs_error *e);
 
-/* Makes a copy of node n that hides the original in pictures. Its solids become a mesh slightly outside the original,
- * so that a ray reaches the copy before a translucent wall at the original's place. The caller owns *out. Returns false
- * and sets e on failure. */
+/* Makes a copy of node n that hides the original in pictures: its solids become a mesh slightly outside the original.
+ * The caller owns *out. Returns false and sets e on failure. */
 bool vs_drawn_parts_swell(vs_node *n, double tolerance, const vs_kernel_options *options, vs_node **out, vs_error *e);
 
 /* Sets *volume to the sum of the volumes of all solids below node n, in cubic model units; 0 if n is NULL. Returns

@@ -16,10 +16,10 @@
 #include "model/store/array.h"
 #include "solids/solid_measures.h"
 
-#define CONTACT 1e-7 /* distance at which parts touch, as a fraction of their size: some steps of the kernel's grid */
+#define CONTACT 1e-7 /* two parts touch if their distance is at most this fraction of their size */
 
 enum {
-  PLAIN = 60 /* number of triangles up to which an intersection has no curved faces that are worth a finer mesh */
+  PLAIN = 60 /* an intersection with at most this number of triangles is not meshed again more finely */
 };
 
 typedef struct { uint32_t a, b; } pair;
@@ -49,7 +49,7 @@ static int by_numbers(const void *p, const void *q) {
   return x->b < y->b ? -1 : x->b > y->b;
 }
 
-/* Finds the pairs whose boxes are at most the clearance apart, by a tree of boxes with whole numbers. */
+/* Finds the pairs of parts whose bounding boxes are at most the clearance apart, with a tree of boxes. */
 static bool find_pairs(search *s) {
   uint32_t n = (uint32_t)s->parts->count;
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
@@ -101,7 +101,7 @@ static bool make_tree(search *s, uint32_t i) {
   return s->trees[i] || vs_error_memory(s->error, NULL);
 }
 
-/* Sets *out to the centroid of the mesh's largest part. */
+/* Sets *out to the centroid of the largest connected piece of the mesh. */
 static bool largest_part(search *s, const vs_mesh *m, vs_vec3 *out) {
   vs_mesh_parts parts = { 0 };
   vs_mesh one = { 0 };
@@ -118,7 +118,8 @@ static bool largest_part(search *s, const vs_mesh *m, vs_vec3 *out) {
   return ok || vs_error_memory(s->error, NULL);
 }
 
-/* Sets c->volume and c->place if the parts of pair p overlap. A thin intersection comes from the grid. */
+/* Sets c->volume and c->place if the parts of pair p overlap. Ignores a very thin intersection, which the rounding to
+ * the kernel's grid may cause. */
 static bool intersect(search *s, pair p, vs_clash *c) {
   vs_ref both[2] = { s->parts->at[p.a], s->parts->at[p.b] };
   vs_bounds common = s->boxes[p.a];
@@ -163,7 +164,7 @@ static bool examine(search *s, pair p) {
   return true;
 }
 
-/* Orders overlaps before touches before gaps: the largest volume, the largest area, the smallest gap first. */
+/* Orders clashes for qsort: overlaps by falling volume, then touches by falling area, then gaps by rising distance. */
 static int by_weight(const void *p, const void *q) {
   const vs_clash *x = p, *y = q;
   if (x->kind != y->kind) return x->kind < y->kind ? -1 : 1;

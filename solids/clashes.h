@@ -22,13 +22,12 @@ typedef struct { vs_clash *at; size_t count, room; } vs_clash_list;
 typedef struct {
   double clearance;  /* distance below which parts clash, 0 or more */
   double tolerance;  /* tolerance of curved parts; 0: it follows from the size of each pair */
-  int segments;      /* member `segments` of vs_fineness */
+  int segments;      /* number of facets in a full turn of curved parts, as in vs_fineness */
 } vs_clash_rule;
 
-/* Appends all clashes of the parts, which are finite and resolved (solids/resolve.h), to out, which is empty: overlaps
- * by falling volume, then touches by falling area, then gaps by rising distance. Parts that overlap by less than 1e-7
- * of their size touch. options may be NULL. Returns false and sets e on
- * failure. The caller frees out->at in either case. */
+/* Appends to out all clashes of the parts, which are resolved (solids/resolve.h): first overlaps, then touches, then
+ * gaps. Parts that overlap by less than 1e-7 of their size count as touching. Returns false and sets e on failure. The
+ * caller frees out->at in either case. */
 bool vs_clashes_find(const vs_refs *parts, const vs_clash_rule *rule, const vs_kernel_options *options,
                      vs_clash_list *out, vs_error *e);
 

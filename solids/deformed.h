@@ -11,10 +11,9 @@
 #include "geometry/shapes/bending.h"
 #include "solids/solid_meshes.h"
 
-/* Divides an object into leaves, each with its material, layer and origin. Each leaf is a mesh in the object's
- * coordinates, with the tolerance of `facets`, or the leaf's default tolerance if that is 0. no_regions: error message
- * for a region; NULL: regions become surfaces. The object has been resolved (solids/resolve.h). Returns false and sets
- * e on failure. */
+/* Divides an object into meshes, each with its material, layer and origin, in the object's coordinates. no_regions:
+ * error message for a region; NULL: regions become surfaces. The object has been resolved (solids/resolve.h). Returns
+ * false and sets e on failure. */
 bool vs_take_apart(vs_ref object, const vs_fineness *facets, const vs_kernel_options *options, const char *no_regions,
                    vs_bend_leaves *out, vs_error *e);
 

@@ -169,8 +169,7 @@ static bool gather(sight *v) {
 /* ---- an edge and a triangle ---- */
 
 typedef struct { vs_vec3 p, d; double low[2], high[2], far, length, slack; double from, to; } line;
-    /* Returns the point p + s d of line l. l->from and l->to: values of s between which the line remains after the
-     * clipping so far. */
+    /* Returns the point p + s d of line l, where p and d are members of l. */
 
 static vs_vec3 place(const line *l, double s) { return vs_v3_add(l->p, vs_v3_scale(l->d, s)); }
 
@@ -286,8 +285,8 @@ static void keep_hider(sight *v, uint32_t which) {
   v->kept[0] = which;
 }
 
-/* Computes the hidden intervals of the edge, v->spans. Joins intervals whose distance is less than `gap`. *on: false if
- * interrupted. Returns false if memory is out. */
+/* Computes the parts of the edge that triangles hide, v->spans. Joins parts whose distance is less than `gap`. *on:
+ * false if interrupted. Returns false if memory is out. */
 static bool look(sight *v, const vs_sight_edge *edge, double gap, bool *on) {
   const vs_sight *s = v->s;
   line l = { .p = edge->p, .d = vs_v3_sub(edge->q, edge->p), .slack = fmax(edge->slack, s->slack) };

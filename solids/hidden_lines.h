@@ -55,8 +55,7 @@ typedef struct {
 typedef struct { vs_store *store; vs_job *job; /* job that may stop the work; NULL: nothing stops it */ } vs_sight_host;
 
 /* Appends the visible parts of the edges to out, in order. with_hidden: also appends the hidden parts. Omits parts
- * shorter than a few times the slack. Tests an edge only against triangles that it crosses in the picture, the nearest
- * first, until it is hidden entirely. Returns false and sets e on failure. */
+ * shorter than a few times the slack. Returns false and sets e on failure. */
 bool vs_sight_find_visible(const vs_sight_host *host, const vs_sight *s, const vs_sight_edges *edges, bool with_hidden,
                            vs_sight_pieces *out, vs_error *e);
 

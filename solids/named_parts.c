@@ -19,26 +19,30 @@
 /* The content of one part in a node. name: the part's name; "" for content outside of parts. The holder of the piece
  * holds a reference to its node. */
 typedef struct { const char *name; vs_ref ref; } parts_piece;
-/* bare: the node without parts, retained; NULL: the node contains none. pieces first to first + count - 1 belong to the
- * node. count 0: the node is made from objects that contain parts. Such a node belongs to the part around it. */
+/* The pieces of a node (one piece for each part): pieces[first] to pieces[first + count - 1]. A count of 0 means that
+ * the node is made from objects that contain parts, and belongs to the part around it. bare: the node without parts;
+ * NULL if the node contains no parts. */
 typedef struct { size_t first, count; vs_node *bare; } parts_entry;
-typedef struct { uint32_t first, last, count; } parts_bucket; /* the members of equal name, linked by `next` */
-typedef struct { parts_piece piece; uint32_t next; } parts_member; /* a borrowed piece */
+typedef struct { uint32_t first, last, count; } parts_bucket; /* The members (pieces of a node's children) that have one
+                                                               * name, as a list linked by their `next`. */
+typedef struct { parts_piece piece; uint32_t next; } parts_member; /* piece: a piece of a node's child, without a
+                                                                    * reference of its own; next: index of the next
+                                                                    * member with the same name */
 
 typedef struct {
   vs_store *store;
   vs_error *error;
   vs_order order;
   vs_bounds_memo bounds;
-  const char *nothing;   /* the name of content outside of parts */
-  parts_entry *entries;  /* entries[i]: the pieces of node i of the order */
+  const char *nothing;   /* name of the piece that has the content outside of all parts */
+  parts_entry *entries;  /* entries[i]: the pieces of node number i in `order` */
   parts_piece *pieces;
   size_t piece_count, piece_room;
-  parts_member *members; /* the pieces that the node in hand has from its children */
+  parts_member *members; /* pieces of the children of the node that is divided now */
   size_t member_count, member_room;
-  parts_bucket *buckets; /* the members, by name */
+  parts_bucket *buckets; /* the members, in one bucket for each name */
   size_t bucket_count, bucket_room;
-  vs_ref *kids;          /* scratch for the children of a new node */
+  vs_ref *kids;          /* working memory for the children of a new node */
   size_t kid_room;
 } parts_state;
 
@@ -62,7 +66,7 @@ static bool add_member(parts_state *s, parts_piece piece) {
   return true;
 }
 
-/* Adds the pieces of a child to the members. */
+/* Appends the pieces of the node `ref`, a child or drawn object, to s->members. */
 static bool gather(parts_state *s, vs_ref ref) {
   const parts_entry *entry = entry_of(s, ref.node);
   if (!entry || entry->count == 0) return add_member(s, (parts_piece){ s->nothing, bare_of(s, ref) });
@@ -71,8 +75,8 @@ static bool gather(parts_state *s, vs_ref ref) {
   return ok;
 }
 
-/* Sorts the members into buckets by name. single: whether each member that belongs to no part is a bucket of its
- * own. */
+/* Sorts the members (pieces of children) into buckets, one for each name. single: true if each member outside of all
+ * parts gets its own bucket. */
 static bool sort_members(parts_state *s, bool single) {
   vs_nodemap names = { .store = s->store };
   bool ok = true;
@@ -100,7 +104,7 @@ static bool grow_kids(parts_state *s, size_t count) {
   return vs_store_grow(s->store, &s->kids, &s->kid_room, count, sizeof *s->kids) || no_memory(s);
 }
 
-/* Returns a new reference to the union of a bucket's members, or NULL on failure. */
+/* Returns a new reference to the union of the pieces in a bucket, which have one name. Returns NULL on failure. */
 static vs_node *bucket_union(parts_state *s, const parts_bucket *b) {
   if (b->count == 1) return vs_node_retain(s->members[b->first].piece.ref.node);
   size_t count = 0;
@@ -113,7 +117,8 @@ static vs_node *bucket_union(parts_state *s, const parts_bucket *b) {
 
 /* ---- pieces of a node ---- */
 
-/* Adds a piece to the node in hand. Takes over the caller's reference to the piece's node; NULL is a failure. */
+/* Adds a piece (content of one part) to the entry of its node. Takes over the caller's reference to piece.ref.node;
+ * NULL there counts as out of memory. */
 static bool add_piece(parts_state *s, parts_entry *entry, parts_piece piece) {
   bool ok = piece.ref.node &&
             vs_store_grow(s->store, &s->pieces, &s->piece_room, s->piece_count + 1, sizeof *s->pieces);
@@ -149,8 +154,8 @@ static bool may_meet(parts_state *s, const vs_node *a, const vs_node *b, bool *m
   return true;
 }
 
-/* Adds to the node n a piece for each member: n with the member as child number `which`, and without the parts of its
- * other children. Solids that a piece does not meet are not subtracted from it. */
+/* Adds to `entry`, for each member, a copy of node n in which this member is child number `which` and the other
+ * children have no parts. In a difference, solids that do not touch the member are not subtracted. */
 static bool replace_child(parts_state *s, const vs_node *n, parts_entry *entry, uint32_t which) {
   for (size_t i = 0; i < s->member_count; i++) {
     parts_piece piece = s->members[i].piece;
@@ -200,7 +205,7 @@ static vs_node *without_parts(parts_state *s, const vs_node *n) {
   return made;
 }
 
-/* Computes the entry of node n, whose children have theirs. */
+/* Computes the pieces of node n from the pieces of its children, which are already known. */
 static bool enter(parts_state *s, const vs_node *n, parts_entry *entry) {
   bool any = n->kind == VS_PART, set = vs_node_is_set(n);
   uint32_t which = 0;
@@ -225,11 +230,12 @@ static bool enter(parts_state *s, const vs_node *n, parts_entry *entry) {
 
 /* ---- solids of different parts ---- */
 
-/* A drawn object of the result. plain: the object without looks, with which it is subtracted, retained; NULL: not yet
- * made. */
+/* A drawn object of the result. plain: the object without materials and layers, for subtraction from other objects;
+ * NULL until it is needed. */
 typedef struct { const char *name; vs_ref ref; vs_bounds bounds; vs_node *plain; } parts_item;
 
-/* Returns a new reference to node n without looks; made[i] is node i of the order without them. NULL: no memory. */
+/* Returns a new reference to node n without materials and layers, or NULL if memory is out. made[i]: the copy of node i
+ * of s->order that has none. */
 static vs_node *without_look(parts_state *s, const vs_node *n, vs_node **made) {
   bool same = true;
   if (!grow_kids(s, n->child_count + (size_t)1)) return NULL;
@@ -245,7 +251,7 @@ static vs_node *without_look(parts_state *s, const vs_node *n, vs_node **made) {
   return new;
 }
 
-/* Returns a new reference to the object without its looks; NULL on failure. Replaces s->order. */
+/* Returns a new reference to the object without its materials and layers; NULL on failure. Replaces s->order. */
 static vs_node *without_looks(parts_state *s, const vs_ref *ref) {
   vs_order_free(&s->order);
   s->order = (vs_order){ .store = s->store };
@@ -259,13 +265,14 @@ static vs_node *without_looks(parts_state *s, const vs_ref *ref) {
     ok = made[done] != NULL;
     if (!ok) break;
   }
-  vs_node *plain = ok ? vs_node_retain(made[count - 1]) : NULL; /* the root is the last node of its order */
+  vs_node *plain = ok ? vs_node_retain(made[count - 1]) : NULL; /* the last node in the order is the object's own
+                                                                 * node */
   for (size_t i = 0; i < done; i++) vs_node_release(made[i]);
   if (made) vs_store_realloc(s->store, made, count * sizeof *made, 0);
   return plain;
 }
 
-/* Returns true if the boxes have more than points of their faces in common. */
+/* Returns true if the intersection of the two boxes has a volume, so that they do not only touch. */
 static bool share_space(const vs_bounds *a, const vs_bounds *b) {
   vs_bounds both = *a;
   if (vs_bounds_is_empty(a) || vs_bounds_is_empty(b)) return false;
@@ -275,15 +282,16 @@ static bool share_space(const vs_bounds *a, const vs_bounds *b) {
   return size.x > least && size.y > least && size.z > least;
 }
 
-/* Returns true if items[i] is subtracted from items[at]: it is a part, and comes first unless items[at] is none. */
+/* Returns true if items[i] is subtracted from items[at]: it is a solid part whose box overlaps that of items[at], and
+ * it comes earlier or items[at] belongs to no part. */
 static bool cuts(const parts_state *s, const parts_item *items, size_t i, size_t at) {
   bool before = i < at || items[at].name == s->nothing;
   return before && i != at && items[i].name != s->nothing && items[i].ref.node->class_ == VS_SOLID &&
          share_space(&items[i].bounds, &items[at].bounds);
 }
 
-/* Returns a new reference to `made` within the looks that are around the whole of the object `ref`; NULL on failure.
- * Formats that show looks only outside of booleans show these. Takes over the caller's reference to `made`. */
+/* Returns `made` inside copies of the outermost materials and layers of the object `ref`; NULL on failure. Some formats
+ * show only materials outside of booleans. Takes over the caller's reference to `made`. */
 static vs_node *within_looks(parts_state *s, const vs_ref *ref, vs_node *made) {
   size_t depth = 0, count = 0;
   for (const vs_node *n = ref->node; vs_node_is_look(n); n = n->children[0].node) depth++;
@@ -298,8 +306,8 @@ static vs_node *within_looks(parts_state *s, const vs_ref *ref, vs_node *made) {
   return made;
 }
 
-/* Subtracts from the solid items[at] the parts that have priority. They are subtracted without looks: a face that the
- * subtraction makes would otherwise have the look of another part. */
+/* Subtracts from the solid items[at] all items that `cuts` selects. They are subtracted without materials and layers,
+ * because the new faces would otherwise get the material of another part. */
 static bool part_item(parts_state *s, parts_item *items, size_t count, size_t at) {
   parts_item *item = &items[at];
   size_t cutters = 0;
@@ -330,7 +338,8 @@ static bool part_solids(parts_state *s, parts_item *items, size_t count) {
     ok = items[i].ref.node->class_ != VS_SOLID || items[i].ref.node->flags & VS_NODE_ENDLESS
              ? (items[i].bounds = vs_bounds_empty(), true)
              : vs_node_bounds(items[i].ref.node, &items[i].bounds, s->error);
-  for (int named = 0; ok && named < 2; named++) /* the last part comes first, so that each cutter is whole */
+  for (int named = 0; ok && named < 2; named++) /* goes from the last item to the first, so that no item is cut before
+                                                 * it is subtracted from others */
     for (size_t i = count; ok && i-- > 0;)
       if ((items[i].name != s->nothing) == (named == 1))
         ok = vs_store_going(s->store, (uint32_t)(VS_ORDER_WORK + 8 * count), s->error) && part_item(s, items, count, i);
@@ -339,7 +348,8 @@ static bool part_solids(parts_state *s, parts_item *items, size_t count) {
 
 /* ---- the drawing ---- */
 
-/* Returns an array of drawn objects, one for each bucket; NULL on failure. The caller owns array and references. */
+/* Returns an array with one drawn object for each bucket (pieces of one name); NULL on failure. The caller owns the
+ * array and its references. */
 static vs_ref *make_drawn(parts_state *s, bool parted) {
   size_t count = s->bucket_count, done = 0;
   parts_item *items = vs_store_realloc(s->store, NULL, 0, (count + 1) * sizeof *items);
@@ -370,7 +380,7 @@ static vs_ref *make_drawn(parts_state *s, bool parted) {
   return NULL;
 }
 
-/* Divides the nodes of the drawing, and replaces its drawn objects. */
+/* Divides all nodes of the drawing into pieces, and replaces the scene's drawn objects by one object for each part. */
 static bool divide(parts_state *s, vs_scene *scene, bool parted) {
   bool ok = true;
   for (size_t k = 0; ok && k < s->order.count; k++)

@@ -21,21 +21,22 @@
 #define OPPOSITE (-0.8660254) /* cosine of the angle between normals of opposite facets: 150 degrees */
 #define SMOOTH 0.76           /* cosine of the angle between normals of neighbours that make one fault */
 
-enum { CORNERS = 8 /* room for the corners of a triangle that three sides have clipped */ };
+enum { CORNERS = 8 /* room for the corners of a triangle that the three sides of another have clipped, at most six */ };
 
 typedef struct {
   const vs_mesh *m;
   vs_mesh_edges edges;
   vs_ray_tree rays;
   vs_vec3 *normals;
-  uint32_t *group;          /* group[t]: triangle of the same group as t, for vs_find of kernel/cluster.h */
-  bool *marked;             /* marked[t]: triangle t belongs to a fault of the current kind */
-  vs_print_fault *faults;   /* faults[t]: fault of the triangles whose group is t */
+  uint32_t *group;          /* union-find structure over the triangles; each set is a group of triangles that make one
+                             * fault */
+  bool *marked;             /* marked[t]: true if triangle t belongs to a fault of the kind that is searched now */
+  vs_print_fault *faults;   /* faults[t]: the fault of the group whose union-find root is triangle t */
   const vs_kernel_options *options;
   vs_print_faults *out;
   vs_error *error;
-  bool outside;             /* true while gaps are measured, false for walls */
-  double limit;             /* greatest distance of opposite facets that is a fault */
+  bool outside;             /* true while gaps between faces are searched, false while walls are searched */
+  double limit;             /* faces opposite each other at a smaller distance than this are a fault */
   bool interrupted;
   uint32_t ticks;
 } check;
@@ -59,8 +60,8 @@ static void begin_groups(check *c) {
   memset(c->faults, 0, n * sizeof *c->faults);
 }
 
-/* Keeps one fault for each group of marked triangles: the fault with the smallest value, or the largest of
- * overhangs. */
+/* Keeps one fault for each group of connected triangles with faults: the fault with the smallest value, or with the
+ * largest if `largest` is true. */
 static bool end_groups(check *c, bool largest) {
   for (size_t i = 0; i < c->edges.edge_count; i++) {
     const uint32_t *s = c->edges.edges[i].side;
@@ -82,8 +83,8 @@ static bool end_groups(check *c, bool largest) {
 
 /* ---- walls and gaps ---- */
 
-/* Clips the polygon to the inner side of the edge from p to q of a triangle with this normal. Returns the number of
- * corners. */
+/* Clips the polygon `at` of n corners to the inner side of the edge from p to q of a triangle. normal: the triangle's
+ * normal. Returns the number of corners that remain. */
 static int clip(vs_vec3 *at, int n, vs_vec3 p, vs_vec3 q, vs_vec3 normal) {
   vs_vec3 out[CORNERS], inwards = vs_v3_cross(normal, vs_v3_sub(q, p));
   int m = 0;
@@ -98,9 +99,8 @@ static int clip(vs_vec3 *at, int n, vs_vec3 p, vs_vec3 q, vs_vec3 normal) {
   return m;
 }
 
-/* Measures the polygon in the plane of triangle a that triangle b covers: *f is its smallest distance from b, the
- * middle of this distance, and its area. Returns false if there is no such polygon within the limit, or if another
- * facet lies between. */
+/* Measures the part of triangle a that lies opposite triangle b. *f: the smallest distance to b, where it is, and the
+ * area of the part. Returns false if there is no such part within the limit, or another facet lies between. */
 static bool opposite(check *c, uint32_t a, uint32_t b, vs_print_fault *f) {
   vs_vec3 p[3], at[CORNERS], normal = c->normals[a], middle = { 0, 0, 0 }, low = { 0, 0, 0 };
   double sign = c->outside ? 1 : -1, least = INFINITY, most = 0, area = 0, slope = vs_v3_dot(normal, c->normals[b]);
@@ -147,7 +147,7 @@ static bool examine(void *context, uint32_t a, uint32_t b) {
   return true;
 }
 
-/* Finds walls, or gaps if c->outside is true, below the limit. */
+/* Finds all walls that are thinner than the limit, or if c->outside is true, all gaps that are narrower. */
 static bool find_opposite(check *c) {
   uint32_t n = (uint32_t)c->m->triangle_count;
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
@@ -198,7 +198,7 @@ static bool find_overhangs(check *c, double angle) {
 
 /* ---- voids and pieces ---- */
 
-/* Keeps a fault for each void, and for each piece except the largest. */
+/* Adds a fault for each void (closed cavity), and for each separate piece except the largest. */
 static bool find_shells(check *c) {
   vs_shells shells = { 0 };
   vs_vec3 *moment = NULL;
