@@ -32,11 +32,12 @@ typedef struct {
   size_t count;
   const vs_kernel_leaf *leaves;
   vs_mesh *results;
-  struct { VS_LIST(uint32_t) at; } tags[VS_THREADS_MOST]; /* For thread i, tags[i].at[t] is the tag in the copy of a
-                                                           * triangle whose tag in the original is t. */
+  struct { VS_LIST(uint32_t) at; } tags[VS_THREADS_MOST]; /* tags[i] belongs to thread i: at[t] is the tag that a
+                                                           * triangle gets in the copy if its tag in the original is
+                                                           * t */
 } placing;
 
-/* Fills the calling thread's table, which has the tag in the copy for each tag in the original. */
+/* Fills the calling thread's element of all->tags, which maps each tag of the original to the tag in the copy. */
 static bool find_tags(vs_kernel *k, placing *all, const vs_placement *p) {
   VS_ASSERT(k->worker < VS_THREADS_MOST);
   for (uint32_t i = 0; i < p->leaf_count; i++) {

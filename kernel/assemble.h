@@ -18,8 +18,8 @@ typedef struct {
   uint32_t into;             /* index of the result that receives the copy */
   size_t vertex, triangle;   /* positions in the result of the copy's first vertex and first triangle */
   vs_affine map;
-  const uint32_t *were, *leaves; /* A triangle whose tag in the original is the tag of leaf were[i] gets the tag of leaf
-                                  * leaves[i] in the copy. If `were` is NULL, all triangles get the tag of leaf
+  const uint32_t *were, *leaves; /* Tags of the copy. A triangle whose tag in the original is the tag of leaf were[i]
+                                  * gets the tag of leaf leaves[i]. If `were` is NULL, all triangles get the tag of leaf
                                   * leaves[0]. */
   uint32_t leaf_count;
 } vs_placement;

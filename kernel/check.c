@@ -37,8 +37,8 @@ static double sweep_of(double x[3][3]) {
 }
 
 bool vs_check_leaves(vs_kernel *k, const vs_cluster *c, vs_check *check, vs_kernel_counts *counts) {
-  /* CHANGED: greatest change of a leaf's volume, as a fraction of it, that is not reported. SOLID: a leaf whose volume
-   * is a smaller fraction of its box is not checked, because rounding errors dominate. */
+  /* CHANGED: a greater change of a leaf's volume, as a fraction of the volume, is reported. SOLID: a leaf whose volume
+   * is a smaller fraction of its bounding box is not checked, because rounding errors dominate. */
   static const double CHANGED = 0.01, SOLID = 1e-9;
   if (!VS_ROOM(k, check->leaves.at, check->leaves.room, (size_t)c->leaf_count + 1)) return false;
   double unit = step_volume(&c->grid);
@@ -89,8 +89,8 @@ static void unite_box(vs_bvh_box *x, const vs_bvh_box *y) {
   }
 }
 
-/* Bounds on the volume of a leaf or term, in cubic grid steps, and its bounding box, in steps. A leaf of another
- * cluster has volume 0. */
+/* Bounds on the volume of a leaf or term, in cubic grid steps, and its bounding box, in steps. A leaf outside of the
+ * checked cluster has volume 0. */
 typedef struct { double least, most; vs_bvh_box box; } bounds;
 
 /* Returns the bounds on the volume of a term (union, intersection or difference) with the operands a and b. */
@@ -113,8 +113,8 @@ static bounds combine(vs_term_kind kind, bounds a, const bounds *b) {
   return a;
 }
 
-/* Computes the bounds on the volume of the result. For a small cluster of a large expression, uses the volumes of the
- * leaves alone, because all terms would cost too much time. */
+/* Computes bounds on the volume of the result from the volumes of the leaves, and of all terms unless that would take
+ * too long. */
 static bool find_bounds(vs_kernel *k, const vs_cluster *c, const vs_check *check, double *least, double *most) {
   const vs_kernel_problem *p = c->problem;
   const vs_expression *e = c->expression;
@@ -175,9 +175,9 @@ bool vs_check_result(vs_kernel *k, const vs_cluster *c, const vs_check *check, c
   double volume = six / 6 / unit, slack = 1e-9 * sum + 0x1p-48 * far * area / unit; /* slack: upper bound, in cubic
                                                                                      * steps, for the error from
                                                                                      * rounding to doubles */
-  if (c->straightened) slack += 2 * area * cbrt(unit) / unit; /* Straightening cuts moves the surface by at most two
-                                                               * grid steps. The volume changes by at most twice the
-                                                               * area, here in cubic steps. */
+  if (c->straightened) slack += 2 * area * cbrt(unit) / unit; /* Removing the bends of cuts (straighten.c) moves the
+                                                               * surface by at most two grid steps. The volume changes
+                                                               * by at most twice the area, here in cubic steps. */
   if (volume >= least - slack && volume <= most + slack) return true;
   return VS_BROKEN(k, volume < least - slack ? "the result is smaller than its parts allow"
                                              : "the result is larger than its parts allow");

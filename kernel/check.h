@@ -10,17 +10,16 @@
 typedef struct { double least, most; } vs_leaf_volume;
 typedef struct { VS_LIST(vs_leaf_volume) leaves; } vs_check;
 
-/* Computes the volumes of the cluster's leaves after rounding to the grid. Adds to counts->coarse the number of leaves
- * whose volume the grid has changed by more than a hundredth, and describes the first of them. Returns false when
- * memory is out or the caller interrupts. */
+/* Computes the volumes of the cluster's leaves after rounding to the grid. Counts in counts->coarse the leaves whose
+ * volume the grid has changed by more than a hundredth. Returns false when memory is out or the caller interrupts. */
 bool vs_check_leaves(vs_kernel *k, const vs_cluster *c, vs_check *check, vs_kernel_counts *counts);
 /* Compares the volume of out's triangles, from index `first` on, with the bounds that follow from the leaves' volumes.
  * Returns true if it lies within them. Otherwise the kernel has failed: sets the error and returns false. */
 bool vs_check_result(vs_kernel *k, const vs_cluster *c, const vs_check *check, const vs_mesh *out, size_t first);
 void vs_check_free(vs_kernel *k, vs_check *check);
 
-/* Functions that VS_ASSERT calls between the kernel's steps. Each returns true if the indices and counts in the cluster
- * are valid for the next step, and takes linear time. */
+/* The vs_holds_ functions serve for VS_ASSERT between the kernel's steps. Each returns true if the indices and counts
+ * in the cluster are valid for the next step. */
 bool vs_holds_grid(const vs_cluster *c);    /* true if every triangle has three points, a plane, and a facet of its
                                              * leaf */
 bool vs_holds_patches(const vs_cluster *c); /* true if every patch has a facet, and three or more corners among the

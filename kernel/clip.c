@@ -19,8 +19,8 @@
  * costs the grid at most 6 of its 32 bits. */
 static const double FAR = 64;
 
-/* An edge and its two vertices. number: in cut_edges, the vertex where the plane cuts the edge; in close_border, the
- * edge's direction: 1 from low to high, -1 from high to low. */
+/* An edge and its two vertices. number: in cut_edges, the new vertex where the cutting plane cuts the edge; in
+ * close_border, 1 if the edge leads from `low` to `high`, -1 if from `high` to `low`. */
 typedef struct { uint32_t low, high; int32_t number; } edge;
 typedef struct {
   vs_kernel *k;
@@ -106,8 +106,9 @@ static bool close_border(clipper *c) {
       if (!(c->beyond.at[a] < 0) && !(c->beyond.at[b] < 0) && !VS_PUSH(c->k, c->edges, edge_of(a, b))) return false;
     }
   if (c->edges.count) qsort(c->edges.at, c->edges.count, sizeof *c->edges.at, edge_order);
-  for (size_t i = 0, end; i < c->edges.count; i = end) { /* The border consists of the edges that the triangles contain
-                                                          * more often in one direction than in the other. */
+  for (size_t i = 0, end; i < c->edges.count; i = end) { /* The border of the cut mesh consists of the edges that the
+                                                          * triangles contain more often in one direction than in the
+                                                          * other. */
     edge e = c->edges.at[i];
     for (e.number = 0, end = i; end < c->edges.count && edge_order(&c->edges.at[end], &e) == 0; end++)
       e.number += c->edges.at[end].number;

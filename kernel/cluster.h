@@ -72,15 +72,16 @@ typedef struct { int32_t at[2][3]; } vs_line;        /* the two ends of an edge 
 
 typedef struct { uint32_t low, high; } vs_edge; /* an edge of the input mesh: the point numbers of its two ends, with
                                                  * low < high */
-/* A segment from point p to point q that cuts the facet. `plane` is the second plane that contains it. If p == q, the
- * cut is a single point. */
+/* A segment from point p to point q, in which a facet is cut by the plane with the number `plane`. If p == q, the cut
+ * is a single point. */
 typedef struct { uint32_t facet, p, q, plane; } vs_facet_cut;
 
 typedef struct { uint32_t leaf; int32_t delta; } vs_cover;
 typedef struct {
-  uint32_t plane;  /* number of the face's plane; VS_NONE: the face is a curved region of untouched triangles */
+  uint32_t plane;  /* number of the plane that contains the face; VS_NONE for a region of triangles that nothing
+                    * touches, which may be curved */
   uint32_t cover, cover_count;
-  uint32_t facet;  /* index of the facet, or of the region of untouched triangles, whose triangles form the face;
+  uint32_t facet;  /* index of the facet, or of the region of untouched triangles, that the face covers completely;
                     * VS_NONE if the face is only a part of facets */
   uint32_t tag;
   uint32_t use, use_count; /* range of the face's boundary edges in `uses` */
@@ -92,11 +93,10 @@ typedef struct {
                              * `faces`, set after the planes are arranged */
   uint32_t count, triangle; /* count: number of triangles in the region; triangle: index, in the leaf's mesh, of a large
                              * triangle of the region */
-  bool open;                /* true if hidden triangles, which were removed, belonged to the same surface beside the
-                             * region */
+  bool open;                /* true if triangles beside the region were removed because another leaf hides them */
 } vs_region;
-enum { VS_ARRANGED, VS_CULLED, VS_PLAIN }; /* treatment of a triangle by the kernel: cut against others, removed as
-                                            * hidden, or copied because nothing touches it */
+enum { VS_ARRANGED, VS_CULLED, VS_PLAIN }; /* How the kernel treats a triangle: it is cut against others, removed
+                                            * because another leaf hides it, or copied because nothing touches it. */
 
 /* The frame and the grid of the cluster: world = frame * ((grid + offset) * step). */
 typedef struct {
@@ -122,12 +122,11 @@ typedef struct {
   double well_inside, outside; /* A point closer to the middle than sqrt(well_inside) is more than two steps inside the
                                 * leaf. A point farther than sqrt(outside) is outside of the leaf. The values are -1 and
                                 * infinity if the placement does not scale equally in all directions. */
-  bool lid;           /* true if the leaf is convex and alone decides the expression's value inside it */
+  bool lid;           /* true if the leaf is convex and decides alone whether places inside it belong to the result */
   bool star;          /* true if the leaf is a star (its middle sees every triangle from inside) and does not intersect
                        * itself on the grid */
-  uint32_t lids_first, lids_count; /* range in the cluster's list `lids` of the convex leaves whose boxes intersect this
-                                    * leaf's box and that decide the expression's value inside them; it begins at a
-                                    * multiple of four */
+  uint32_t lids_first, lids_count; /* Range in the cluster's list `lids` of the convex leaves near this leaf that alone
+                                    * decide the result inside them. It begins at a multiple of four. */
   uint32_t lines;     /* number of rays tested against this leaf, counted for large leaves only; after many rays, the
                        * kernel builds a tree of the boxes of the leaf's triangles */
   vs_bvh bvh;
@@ -141,8 +140,7 @@ typedef struct {
   const vs_expression *expression;
   const uint32_t *leaves;
   uint32_t leaf_count;
-  const vs_bounds *gate; /* bounds in world coordinates outside of which the expression is false; NULL if the expression
-                          * has no such bounds */
+  const vs_bounds *gate; /* bounds in world coordinates outside of which the result is empty; NULL if there are none */
   vs_grid grid;
   VS_LIST(vs_placed) placed;
   int32_t (*corners)[3];  /* coordinates, in grid steps, of the vertices of all leaves' meshes */
@@ -158,8 +156,8 @@ typedef struct {
   VS_LIST(uint32_t) region_of;   /* region_of[t]: for untouched triangle t, the index in `regions` of the region that
                                   * contains it */
   VS_LIST(vs_region) regions;
-  VS_LIST(uint32_t) point_of;    /* point_of[v]: for vertex v, numbered over the meshes of all leaves: its number in
-                                  * `points`, if its mesh has untouched triangles and others; else VS_NONE */
+  VS_LIST(uint32_t) point_of;    /* point_of[v]: number in `points` of vertex v, counted over the meshes of all leaves.
+                                  * Set only if the vertex's mesh has untouched triangles and others, else VS_NONE. */
   vs_points_table points;
   vs_planes_table planes;
   VS_LIST(vs_grid_triangle) triangles;
@@ -176,8 +174,8 @@ typedef struct {
   VS_LIST(vs_bvh_box) boxes; /* bounding boxes of the patches, in grid steps */
   vs_bvh bvh;
   VS_LIST(vs_facet_cut) cuts;
-  VS_LIST(vs_edge) edge_of; /* edge_of[p]: an input edge that contains the intersection point p; both ends are 0 for a
-                             * point without such an edge. The list is freed after the planes are arranged. */
+  VS_LIST(vs_edge) edge_of; /* edge_of[p]: an edge of the input that contains point p, where triangles intersect; both
+                             * ends are 0 if there is none. The list is freed after the planes are arranged. */
   VS_LIST(vs_face) faces;
   VS_LIST(vs_cover) covers;
   VS_LIST(vs_use) uses;
@@ -185,8 +183,8 @@ typedef struct {
   VS_LIST(uint8_t) kept; /* kept[f]: 0 if face f is not part of the result; 1 if the outside of the result is on the +
                           * side of the face; 2 if it is on the - side */
   /* The members below are used while solids are united two by two (levels.c). Otherwise they are empty. */
-  /* crowd: number of leaves that can be united two by two. crowded: true if cutting all facets against each other at
-   * once would give too many cuts. */
+  /* crowd: number of leaves that can be united two by two. crowded: true if all facets together have too many cuts to
+   * be cut against each other at once. */
   size_t crowd;
   bool crowded;
   VS_LIST(vs_facet_side) sides;     /* border edges of the facets; while solids are united two by two, a facet's member
@@ -234,25 +232,24 @@ static inline bool vs_too_many(const vs_cluster *c, size_t cuts) {
 }
 
 /* Returns true if leaves should be united two by two first, because too many crossings of cuts are hidden inside the
- * union. The limit is much higher where most crossings are visible, as in a lattice of holes: uniting would only repeat
- * that work. */
+ * union. cuts: number of cuts; crossed: number of their crossings; hidden: number of crossings that are hidden. */
 static inline bool vs_too_hidden(const vs_cluster *c, size_t cuts, size_t crossed, size_t hidden) {
   enum { EACH = 6, LEAST = 20000, SHOWN = 8 };
   return vs_too_many(c, crossed / SHOWN) || (c->crowd > 2 && !c->layered && hidden > EACH * cuts + LEAST &&
       hidden > crossed / 4 * 3);
 }
 
-/* A list of facets with their border edges, which refer to points by the cluster's numbers. The `leaf` of a facet is
- * the tag of the face of which it was a part. */
+/* A list of facets with their border edges. The border edges contain numbers of the cluster's points. The `leaf` of a
+ * facet is the tag of the face of which it was a part. */
 typedef struct {
   VS_LIST(vs_facet) facets; /* facets; the last element only marks the end of the border edges of the facet before it */
   VS_LIST(vs_facet_side) sides;
 } vs_outlines;
 void vs_cluster_free(vs_kernel *k, vs_cluster *c);
 
-/* Number of bits in masks[vertex] for the convex leaves (lids) near the vertex's leaf. Bit b is set if the vertex is at
- * least two steps inside lid b. The last six bits are set if the vertex lies beyond the corresponding side of the
- * gate's bounds. */
+/* Number of the bits in a vertex's mask that belong to convex leaves (lids) near the vertex's leaf. Bit b is set if the
+ * vertex is at least two steps inside lid b. The last six bits show that the vertex lies beyond a side of the bounds in
+ * vs_cluster's `gate`. */
 enum { VS_LIDS = 48 };
 
 /* A face in the cyclic order of faces around an edge. x, y: two coordinates of the face's normal, whose axes and signs

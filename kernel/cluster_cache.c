@@ -15,7 +15,7 @@
 
 typedef struct { uint64_t vertices, triangles; } header;
 
-/* Sets *place to the index that p stores for `number`. If p has no index for this number yet, stores `next` as its
+/* Sets *place to the index that p stores for `number`, a tag or paint. If p has none yet, stores `next` as its
  * index. */
 static bool place_of(vs_kernel *k, vs_places *p, uint32_t number, size_t next, uint32_t *place) {
   if (number >= p->count) {

@@ -6,7 +6,8 @@
 #include "kernel/problem.h"
 #include "kernel/cluster_copies.h"
 
-typedef VS_LIST(uint32_t) vs_places;    /* for each tag or paint: its index in a list, or VS_NONE if not in it */
+typedef VS_LIST(uint32_t) vs_places;    /* array that has, for each tag or each paint, its index in a list; VS_NONE if
+                                         * it is not in the list */
 
 typedef struct {
   VS_LIST(uint64_t) words;

@@ -37,14 +37,16 @@ static bool put_leaf(vs_kernel *k, vs_copies *c, uint32_t leaf, const vs_affine 
       double x = a.m[i][j], unit = j < 3 ? 0x1p-36 : size * 0x1p-36;
       if (!(fabs(x / unit) < 0x1p62)) return put(k, c, UINT64_MAX) && put(k, c, leaf); /* The coordinate x is too large
                                                                                         * to be rounded. The leaf's
-                                                                                        * number is appended, which
-                                                                                        * makes the key unique. */
+                                                                                        * number is appended instead, so
+                                                                                        * that this key equals no other
+                                                                                        * key. */
       if (!put(k, c, rounded(x, unit))) return false;
     }
   return true;
 }
 
-/* Appends the number of a term to the key. A term without a number gets the next one. */
+/* Appends the number of a term within the key. Terms are numbered in the order in which this function first sees
+ * them. */
 static bool reach(vs_kernel *k, vs_copies *c, uint32_t term) {
   VS_ASSERT(term < c->problem->term_count);
   if (c->number.at[term] == VS_NONE) {
@@ -63,11 +65,11 @@ bool vs_copies_put_terms(vs_kernel *k, vs_copies *c, vs_group leaves) {
     for (uint32_t j = e->leaf_first.at[leaves.at[i]]; ok && j <= end; j++)
       ok = j < end ? reach(k, c, e->leaf_terms.at[j]) : put(k, c, UINT64_MAX);
   }
-  for (size_t i = 0; ok && i < c->terms.count; i++) { /* reach() appends to this list during the loop */
+  for (size_t i = 0; ok && i < c->terms.count; i++) { /* reach() appends to c->terms during the loop */
     uint32_t t = c->terms.at[i];
     ok = put(k, c, (uint64_t)e->need.at[t] << 32 | (uint64_t)e->kind.at[t] << 1 | (t == e->root));
-    /* Clears the number of operands in the last element of the key: the value of a union or leaf does not depend on
-     * it. */
+    /* Clears the number of operands in the last element of the key, because the value of a union or leaf does not
+     * depend on it. */
     if (e->kind.at[t] == VS_TERM_UNION || e->kind.at[t] == VS_TERM_LEAF) c->keys.at[c->keys.count - 1] &= UINT32_MAX;
     for (uint32_t j = e->user_first.at[t]; ok && j < e->user_first.at[t + 1]; j++)
       ok = reach(k, c, e->users.at[j] / 2) &&

@@ -13,7 +13,8 @@
 
 #include "kernel/threads.h"
 
-/* ---- twins: corners whose edges run in opposite directions between the same two vertices ---- */
+/* ---- twins: two corners (index of a triangle's edge) whose edges join the same vertices in opposite directions
+ * ---- */
 
 typedef struct { uint32_t high, corner; } half; /* high: the edge's vertex with the higher number; corner: twice the
                                                  * corner's number, plus 1 if its edge runs from the higher to the lower
@@ -72,8 +73,8 @@ static inline void join_bucket(const half *at, uint32_t n, bool sorted, uint32_t
 }
 
 bool vs_twins_find(vs_kernel *k, const vs_twins_input *in, uint32_t *twins, uint32_t *open) {
-  enum { MANY = 64 }; /* Number of directed edges in a bucket from which the bucket is sorted first. Most buckets have
-                       * few edges. */
+  enum { MANY = 64 }; /* a list of at least this many directed edges is sorted before pairs are searched in it; most
+                       * lists are short */
   uint32_t *first = NULL;
   half *halves = NULL;
   size_t first_room = 0, half_room = 0;
@@ -223,8 +224,8 @@ static uint32_t cell_of(const vs_part *p, vs_vec3 d) {
   return ((2 * k + (x[k] < 0)) * n + (u < n ? u : n - 1)) * n + (v < n ? v : n - 1);
 }
 
-/* For each cell on the sides of a cube around the part, finds a triangle at which a search in the cell's direction
- * begins. The number of cells is such that a cell has about four triangles. */
+/* Divides the sides of a cube around the part into cells. For each cell, finds a triangle near the place where a ray
+ * from the part's middle through the cell crosses the surface. */
 static bool find_starts(vs_kernel *k, vs_part *p) {
   enum { MOST = 16 };
   double wanted = sqrt((double)p->mesh->triangle_count / 24);
@@ -277,8 +278,8 @@ static bool look_at(vs_kernel *k, void *context, size_t chunk) {
     if (!find_star(k, part)) return false;
     if (!part->star) part->volume = vs_mesh_volume(part->mesh);
     else if (part->joined) find_convex(part);
-    else VS_FREE(k, part->twins, part->twin_room); /* the kernel copies this mesh unchanged, so its pairs of opposite
-                                                    * edges are not needed */
+    else VS_FREE(k, part->twins, part->twin_room); /* The kernel copies this mesh unchanged, so its pairs of opposite
+                                                    * edges (twins) are not needed. */
     if (!find_starts(k, part) || !vs_kernel_report(k, 0)) return false;
   }
   return true;

@@ -15,8 +15,8 @@ typedef struct {
   vs_vec3 middle;       /* mean of the mesh's vertices */
   bool star;            /* true if every ray from the middle crosses the surface exactly once, from inside to outside;
                          * such a mesh does not intersect itself */
-  bool convex;          /* true if the part is convex up to rounding errors; valid only if `star` and `joined` are
-                         * true */
+  bool convex;          /* true if the part is convex up to rounding errors; set only if the part is a star and a leaf
+                         * with this mesh touches another leaf */
   uint32_t *starts;     /* For a convex part: starts[i] is a triangle near the one that a ray from the middle crosses,
                          * if the ray's direction lies in cell i. Cells divide the sides of a cube around the part. */
   size_t start_room;
@@ -27,8 +27,8 @@ typedef struct {
   /* For a part that is not a star: VS_GOOD if the kernel may copy it unchanged where no other leaf touches it,
    * VS_DOUBTFUL if not, VS_UNASKED before the part is inspected. */
   enum { VS_UNASKED, VS_GOOD, VS_DOUBTFUL } alone;
-  bool joined;          /* True if a leaf with this mesh touches another leaf. If it is false for a star, the kernel
-                         * copies the star unchanged: `twins` is NULL, and `convex` is not set. */
+  bool joined;          /* true if a leaf with this mesh touches another leaf. If it is false for a star, the kernel
+                         * copies the mesh unchanged and does not set `twins` and `convex`. */
 } vs_part;
 
 typedef struct {
@@ -36,9 +36,8 @@ typedef struct {
   VS_LIST(uint32_t) of_leaf;
 } vs_parts;
 
-/* Finds the distinct meshes of the problem and prepares them. order: numbers of the leaves, sorted by cluster;
- * cluster[i]: cluster of leaf order[i]; count: length of both arrays. Returns false when memory is out or the caller
- * interrupts. */
+/* Finds the distinct meshes of the problem and prepares data for each. order: numbers of the leaves, sorted by cluster;
+ * cluster[i]: cluster of leaf order[i]. Returns false when memory is out or the caller interrupts. */
 bool vs_parts_prepare(vs_kernel *k, vs_parts *p, const vs_kernel_problem *problem, const uint32_t *order,
                       const uint32_t *cluster, uint32_t count);
 void vs_parts_free(vs_kernel *k, vs_parts *p);

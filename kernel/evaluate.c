@@ -190,8 +190,8 @@ static void forget_patches(vs_kernel *k, vs_cluster *c) {
   vs_planes_forget(k, &c->planes);
 }
 
-/* Returns true if the leaf can be united with other such leaves, two by two, before they are arranged with the
- * remaining leaves: see levels.c. */
+/* Returns true if the leaf can be united with other leaves two by two before the whole cluster is arranged
+ * (levels.c). */
 static bool can_be_layered(const vs_cluster *c, uint32_t place) {
   return c->expression->forces.at[c->leaves[place]] && c->placed.at[place].star && c->placed.at[place].part->volume > 0;
 }
@@ -276,8 +276,8 @@ static bool run_cluster(vs_kernel *k, whole *w, vs_group group, vs_mesh *out) {
   return ok;
 }
 
-/* Computes w->gate: the bounds in which every gate (operand outside of which the result is empty) may be true. Computes
- * the bounds of all terms in order; the operands of a term come before it. Returns false when memory is out. */
+/* Computes w->gate, the bounds outside of which the result is empty, from the bounds of all terms. Returns false when
+ * memory is out. */
 static bool find_gate(vs_kernel *k, whole *w, const vs_bounds *leaves) {
   VS_LIST(vs_bounds) terms = { 0 };
   const vs_kernel_problem *p = w->problem;
@@ -318,8 +318,7 @@ static bool no_room(vs_kernel *k) {
 static bool want_tags(vs_kernel *k, vs_mesh *m) { return vs_mesh_want_tags(m) || no_room(k); }
 
 /* Sets *alone to true if the cluster is one leaf that touches neither another leaf nor itself. The kernel then copies
- * or drops it without a grid. A mesh that is no star is inspected once for self-contacts, unless an earlier result of
- * the kernel marks it as settled. Returns false on failure. */
+ * or drops this leaf without a grid. Returns false on failure. */
 static bool stands_alone(vs_kernel *k, whole *w, vs_group leaves, bool *alone) {
   enum { FLAT = 1 << 20 }; /* greatest factor by which a placement may flatten the mesh; up to this factor, the
                             * inspection of the mesh is valid for the placed leaf */
@@ -374,8 +373,8 @@ static bool make_cluster(vs_kernel *k, whole *w, vs_copies *copies, vs_group lea
     return false;
   ++*(found ? &w->counts.remembered : &w->counts.combined);
   w->counts.straightened += found && k->options->straight; /* The cache does not store how many bends (corners where a
-                                                            * cut passes between two facets) were removed. Therefore the
-                                                            * count increases by 1 for each cached cluster. */
+                                                            * cut passes between two facets) were removed. Therefore
+                                                            * each cached cluster counts as one. */
   return found || (run_cluster(k, w, leaves, out) &&
                    (!asked || vs_remember_keep(k, &w->remember, out, vertices, triangles)));
 }

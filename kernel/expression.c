@@ -49,9 +49,9 @@ static bool collect(vs_kernel *k, const vs_kernel_problem *p, building *b, vs_ex
   return true;
 }
 
-/* Finds the leaves and terms that determine the result on their own. In a union at the root, these are the operands:
- * any true one makes the result true. In an intersection at the root, any false operand makes the result false.
- * Operands of such operands count, too. A leaf that is the only term is not included. */
+/* Finds the leaves and terms that alone determine the result: a true operand of a union at the root, or a false
+ * operand of an intersection at the root. Operands of such operands count, too. A leaf that is the only term is not
+ * included. */
 static bool find_forces(vs_kernel *k, vs_expression *e, const vs_kernel_problem *p, const uint8_t *live) {
   enum { IF_TRUE = 1, IF_FALSE = 2 };
   VS_LIST(uint8_t) flag = { 0 };
@@ -137,9 +137,8 @@ bool vs_expression_build(vs_kernel *k, vs_expression *e, const vs_kernel_problem
         e->leaf_terms.at[--e->leaf_first.at[p->terms[i].first + 1]] = i;
     for (uint32_t i = 0; i < p->leaf_count; i++) e->leaf_first.at[i] = e->leaf_first.at[i + 1];
     e->leaf_first.at[p->leaf_count] = live;
-    for (uint32_t i = n; i-- > 0;) { /* uses[i] becomes 1 if term i is subtracted an odd number of times between it and
-                                      * the root. If several terms use a term, only the first of them is followed. The
-                                      * loop reaches users before their operands. */
+    for (uint32_t i = n; i-- > 0;) { /* uses[i] becomes 1 if term i is subtracted an odd number of times on the way to
+                                      * the root, else 0. The loop reaches terms before their operands. */
       uint32_t first = e->user_first.at[i];
       b.uses.at[i] = first < e->user_first.at[i + 1] ? b.uses.at[e->users.at[first] / 2] ^ (e->users.at[first] & 1) : 0;
       if (p->terms[i].kind == VS_TERM_LEAF) e->taken_off.at[p->terms[i].first] = (uint8_t)b.uses.at[i];
@@ -167,8 +166,8 @@ static bool value(const vs_expression *e, uint32_t term) {
 bool vs_expression_value(const vs_expression *e) { return e->kind.at && value(e, e->root); }
 
 bool vs_expression_upholds(vs_kernel *k, vs_expression *e, uint32_t leaf, bool *answer) {
-  /* Limit on the number of visited terms, because very many paths may lead from the leaf to the root. If the limit is
-   * reached, the answer may be wrong; the only effect is that a face gets another material. */
+  /* Greatest number of visited terms, because very many paths may lead from the leaf to the root. If it is reached, the
+   * answer may be wrong, and a face then gets another material. */
   enum { STEPS = 256 };
   VS_ASSERT(e->winding.at[leaf] > 0);
   *answer = false;

@@ -8,22 +8,19 @@
 
 enum { VS_GATES = 8 };
 
-/* The flattened expression. A term is merged into its user if it has no other user, in four cases: a union in a
- * union, an intersection in an intersection, a difference that is the first operand of a difference, a union that is
- * subtracted. Each term counts its true operands. When a leaf changes, only terms whose operands change are
- * evaluated. */
+/* The flattened expression: terms such as a union in a union are merged into the term that uses them. Each term counts
+ * its true operands. When a leaf changes, only terms whose operands change are evaluated. */
 typedef struct {
   VS_LIST(uint8_t) kind;      /* kind[t]: vs_term_kind of term t */
-  VS_LIST(uint32_t) need;     /* need[t]: number of operands of the intersection t that must be true, so that t is
-                               * true */
+  VS_LIST(uint32_t) need;     /* need[t]: number of operands of the intersection t that must be true for t to be true */
   VS_LIST(uint32_t) positive; /* positive[t]: number of true operands of term t that it does not subtract */
   VS_LIST(uint32_t) negative; /* negative[t]: for a difference t, the number of its subtracted operands that are true */
   VS_LIST(uint32_t) user_first;
   VS_LIST(uint32_t) users;    /* terms that use each term as an operand, grouped by operand; an element is 2 * user + 1
                                * if the term `user` subtracts the operand, else 2 * user */
   VS_LIST(int32_t) winding;   /* winding[i]: winding number of leaf i at the current place; positive means inside */
-  VS_LIST(uint32_t) leaf_first, leaf_terms; /* leaf_terms: terms of all leaves, grouped by leaf; leaf_first[i]: position
-                                             * in leaf_terms of the first term of leaf i */
+  VS_LIST(uint32_t) leaf_first, leaf_terms; /* leaf_terms: numbers of all terms of kind VS_TERM_LEAF, grouped by leaf;
+                                             * leaf_first[i]: position in leaf_terms of the first term of leaf i */
   VS_LIST(uint8_t) taken_off; /* taken_off[i]: 1 if leaf i is subtracted, so that it makes the result smaller */
   VS_LIST(uint32_t) stack;
   VS_LIST(uint8_t) forces;    /* forces[i]: 1 if leaf i alone decides the result inside itself */

@@ -24,8 +24,8 @@ typedef struct {
   uint32_t coarse_leaf; /* number of the first leaf whose volume the grid has changed by more than a hundredth */
   double coarse_step, coarse_by; /* coarse_step: width of a grid step at leaf coarse_leaf; coarse_by: change of the
                                   * leaf's volume, as a fraction of its exact volume */
-  size_t straightened; /* number of bends that the option `straight` of vs_kernel_options has removed: corners in a cut
-                        * through a planar facet that the grid has split */
+  size_t straightened; /* number of bends that were removed: corners where a cut passes between two facets into which
+                        * the grid has split one planar facet */
   double seconds[VS_STEP_COUNT]; /* seconds[s]: time that step s of the kernel took */
 } vs_kernel_counts;
 
@@ -36,17 +36,17 @@ typedef struct {
   vs_job *job;          /* job that the kernel calls some hundred times a second (vs_job_done) to learn whether it must
                          * stop; NULL: it never stops */
   size_t max_bytes;     /* greatest number of bytes that the kernel may allocate; 0: no limit */
-  size_t max_triangles; /* Limit on the triangles of the result; 0: no limit. Intermediate steps may have VS_ON_THE_WAY
-                         * times as many triangles and pieces of triangles. */
+  size_t max_triangles; /* greatest number of triangles of the result; 0: no limit. Intermediate steps may have
+                         * VS_ON_THE_WAY times as many. */
   vs_cache *cache;      /* cache of evaluated clusters (model/store/cache.h); NULL: nothing is cached */
   bool warns;           /* true if vs_solid_evaluate may report faults that do not stop the kernel */
   vs_kernel_counts *counts; /* The kernel adds its counts to these; NULL: it counts nothing. The member `peak` becomes
                              * the greater of its old value and this call's. */
   bool in_levels;       /* for tests: true if the solids of every cluster are united two by two (arrange/levels.c) where
                          * possible */
-  bool straight;        /* True if the kernel may straighten cuts through a planar facet: the grid splits such a facet
-                         * into several planes, so the cuts bend. The caller must then search the result for contacts
-                         * (round/rounding.h). If there are any, it must evaluate again with straight == false. */
+  bool straight;        /* True if the kernel may straighten cuts through a planar facet that the grid has split. The
+                         * caller must then search the result for contacts (round/rounding.h), and evaluate again with
+                         * straight == false if there are any. */
   uint32_t threads;     /* Number of threads; 0: one for each processor. The result does not depend on it. Only the
                          * caller's thread calls vs_job_done. */
 } vs_kernel_options;

@@ -46,8 +46,8 @@ bool vs_kernel_grow(vs_kernel *k, void *slot, size_t *room, size_t need, size_t 
   grown = realloc(old, more * size);
   if (!grown) return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
   memcpy(slot, &grown, sizeof grown);
-  size_t now = atomic_fetch_add(bytes, added) + added; /* number of allocated bytes after this call, without those that
-                                                        * another thread adds at the same time */
+  size_t now = atomic_fetch_add(bytes, added) + added; /* number of allocated bytes after this call; other threads may
+                                                        * have added more in the meantime */
   _Atomic size_t *peak = k->owner ? &k->owner->peak : &k->peak;
   if (now > *peak) *peak = now;
   *room = more;

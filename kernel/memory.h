@@ -21,8 +21,8 @@ typedef struct vs_kernel {
   _Atomic bool stop;       /* true if a thread has failed or the caller has interrupted the kernel; all threads then
                             * return */
   uint32_t ticks;          /* number of polls since the kernel last called vs_job_done */
-  double done, share;      /* done: fraction of all work that was finished before the current cluster; share: the
-                            * current cluster's fraction of all work; both 0 to 1 */
+  double done, share;      /* done: fraction of all work that was finished before the current cluster, 0 to 1; share:
+                            * fraction of all work that the current cluster makes up, 0 to 1 */
   double part;             /* fraction of the current cluster's work that is finished, as last reported, 0 to 1 */
   double *laps, since;     /* laps: array of the seconds of each step, indexed by vs_step; NULL: no time is measured.
                             * since: time in seconds when the current step began */
@@ -60,22 +60,21 @@ static inline bool vs_kernel_poll(vs_kernel *k, double part) {
   return (++k->ticks & 1023) != 0 || vs_kernel_report(k, part);
 }
 
-/* Declares a function that only prefetches memory. gcc must inline it early: it removes calls of a function without
- * effect. */
+/* Marks a function that only asks the processor to load memory early (prefetch). gcc must inline it, because it removes
+ * calls of a function without effect. */
 #define VS_AHEAD static inline __attribute__((always_inline)) void
 
 /* vs_kernel_run calls task(k, context, 0) to task(k, context, count - 1) in any order, several at a time in several
  * threads. k is the context of the thread that runs the task. If a task returns false, the remaining tasks are not
  * run. */
 typedef bool vs_task_fn(vs_kernel *k, void *context, size_t index);
-/* vs_kernel_pipeline runs tasks as vs_kernel_run does, and calls taker(k, context, i) for every i in increasing order.
- * The taker runs in the caller's thread, after task i and while later tasks run. At most VS_PIPELINE_WINDOW results
- * wait for the taker, so task i can store its result at index i % VS_PIPELINE_WINDOW. Tasks must not read data that the
- * taker changes. */
+/* Runs tasks as vs_kernel_run does. Also calls taker(k, context, i) for every i in increasing order, in the caller's
+ * thread, after task i. At most VS_PIPELINE_WINDOW results wait for the taker, so task i can store its result at index
+ * i % VS_PIPELINE_WINDOW. */
 enum { VS_PIPELINE_WINDOW = 64 };
 
-/* Sorts an array of numbers by the strict order `less`. The sort is stable (a merge sort). scratch: an array with as
- * many elements as the sorted array. */
+/* A function that returns true if a comes before b in a sort. vs_kernel_sort sorts the array `at` stably in this order;
+ * scratch: an array with as many elements. */
 typedef bool vs_less_fn(const void *context, uint32_t a, uint32_t b);
 void vs_kernel_sort(uint32_t *at, uint32_t *scratch, size_t count, vs_less_fn *less, const void *context);
 

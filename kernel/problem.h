@@ -39,9 +39,8 @@ typedef struct {
                            * merged from faces with several tags gets one of these tags. */
   const uint64_t *identities; /* identities[i]: serial number of leaf i's mesh, or 0 if unknown. Meshes with equal
                                * serial numbers are equal, even in different problems. NULL: all are unknown. */
-  const vs_bounds *within;  /* within[i]: bounds within which leaf i can influence the result. The kernel combines the
-                             * leaf with others only in these bounds, beyond which the mesh of an endless solid extends.
-                             * NULL: there are no bounds. */
+  const vs_bounds *within;  /* within[i]: bounds outside of which leaf i cannot influence the result, so that the kernel
+                             * may ignore the leaf there; used for endless solids; NULL: there are none */
 } vs_kernel_problem;
 
 /* A copy of a mesh in a result: the index of the mesh, and its placement. Clusters that are copies of each other share

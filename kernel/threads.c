@@ -22,8 +22,8 @@ typedef struct {
   vs_kernel *k;
   vs_task_fn *task;
   void *context;
-  size_t count, window;   /* count: number of tasks; window: number of complete results that may wait for the function
-                           * `taker`; 0: there is no such function */
+  size_t count, window;   /* count: number of tasks; window: number of finished results that may wait until the function
+                           * `taker` reads them; 0: there is no `taker` */
   _Atomic size_t next, taken;
   _Atomic bool *ready;    /* ready[i % window]: true if task i is complete and `taker` has not read its result */
   pthread_mutex_t lock;   /* protects `running`, `failed` and `error` */
@@ -91,7 +91,7 @@ static void wait_a_while(crew *c) {
   pthread_mutex_lock(&c->lock);
 }
 
-/* Calls `taker` for the results of all tasks in order. While the next result is not ready, runs tasks in this thread.
+/* Calls `taker` for the results of all tasks in order. While the next result is not ready, runs other tasks itself.
  * c->window must not be 0. */
 static void take(crew *c, vs_task_fn *taker) {
   vs_kernel *k = c->k;

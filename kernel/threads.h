@@ -4,10 +4,10 @@
 
 #include "kernel/memory.h"
 
-/* vs_kernel_time starts the clock for the first step; if laps is NULL, no time is measured. vs_kernel_lap ends a step
- * and adds its seconds to laps[step]. It always returns true, so that it can be an operand of &&. */
+/* vs_kernel_time starts the clock; if laps is NULL, no time is measured. vs_kernel_lap adds the seconds since then, or
+ * since its last call, to laps[step]. It always returns true, so that it can be an operand of &&. */
 void vs_kernel_time(vs_kernel *k, double laps[VS_STEP_COUNT]);
-/* `step` must be a row of steps.def. */
+/* Ends a step of the kernel and adds its seconds to its account. `step` must be a row of steps.def. */
 bool vs_kernel_lap(vs_kernel *k, vs_step step);
 bool vs_kernel_run(vs_kernel *k, size_t count, vs_task_fn *task, void *context);
 bool vs_kernel_pipeline(vs_kernel *k, size_t count, vs_task_fn *task, vs_task_fn *taker, void *context);
