@@ -342,8 +342,8 @@ static bool refuse(const sweep *s, vs_error *e) {
                       bend.at.x, bend.at.y, bend.at.z, remedy);
 }
 
-/* Also marks the steps within `close` steps of a marked step. The test points are few, so a step without one may be
- * wrong, too. Returns false if memory is out. */
+/* Marks also the steps within `close` steps of a marked step, because few points are tested and a step without one may
+ * be wrong, too. Returns false if memory is out. */
 static bool mark_neighbours(sweep *s, size_t close) {
   size_t steps = vs_bends_steps(s->bends), since = close + 1;
   bool *wider = vs_zeros(steps, sizeof *wider);

@@ -27,8 +27,8 @@ typedef struct {
  * failure. */
 bool vs_primitive_shared(const vs_kept_mesh *to, vs_node *n, const vs_fineness *f, const vs_kernel_options *options,
                          vs_error *e);
-/* The two steps of vs_primitive_shared. vs_primitive_find searches the cache, and sets *held to NULL if it does not
- * contain the mesh. vs_primitive_keep stores a mesh that the caller has made. */
+/* vs_primitive_find only searches the cache for the mesh of n, and sets *held to NULL if it is not there.
+ * vs_primitive_keep stores a mesh that the caller has made. */
 bool vs_primitive_find(const vs_kept_mesh *to, vs_node *n, const vs_fineness *f);
 void vs_primitive_keep(const vs_kept_mesh *to, vs_node *n, const vs_fineness *f);
 /* Finds the mesh of a part of half-space n in the cache, or makes it: the part inside the box `reach`. Returns false if

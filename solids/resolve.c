@@ -457,8 +457,10 @@ static bool resolve_one(resolver *r, const vs_ref *ref) {
       vs_job_warn(r->options->job, ref->origin,
                   "the hexahedron is flat or inside out: nothing is left of the solid in the hexahedron");
   } else {
-    made = vs_node_has(n, VS_IS_UNRESOLVED) ? nothing(r->store) : rebuilt(r, n); /* here a line without end becomes the
-                                                                                  * empty node */
+    made = vs_node_has(n, VS_IS_UNRESOLVED) ? nothing(r->store) : rebuilt(r, n); /* a line without end is replaced by
+                                                                                  * the empty node here;
+                                                                                  * vs_scene_resolve draws it as a
+                                                                                  * finite line */
   }
   return remember(r, n, made);
 }

@@ -7,11 +7,9 @@
 #include "solids/solid_meshes.h"
 #include "model/scene.h"
 
-/* Replaces each of refs by a node without sections, shadows, feature edges and lines without end, which become nothing;
- * the caller owns the nodes. If the tolerance of `facets` is 0, each solid has its default tolerance. Changes only
- * nodes with the flag VS_NODE_UNRESOLVED, each distinct node once. If options->warns is true, the job receives a
- * warning for each object that becomes nothing, such as the edges of an object without edges. Returns false and sets e
- * on failure. */
+/* Replaces each of refs by a node without sections, shadows, feature edges and lines without end, which become nothing.
+ * The caller owns the new nodes. If the tolerance of `facets` is 0, each solid has its default tolerance. Returns false
+ * and sets e on failure. */
 bool vs_resolve(vs_ref *refs, size_t count, const vs_fineness *facets, const vs_kernel_options *options, vs_error *e);
 
 #endif

@@ -169,9 +169,9 @@ static bool cluster(measuring *m, uint32_t *set) {
   vs_bounds all = vs_bounds_empty();
   vs_bvh bvh = { 0 };
   vs_bvh_box *boxes = vs_fresh(n + (size_t)1, sizeof *boxes);
-  int32_t slack = m->ask == VS_ASK_AREA ? -1 : 1; /* Number of steps by which each box shrinks on each side. It is 1 for
-                                                   * volumes, so that boxes that barely overlap count as separate; it is
-                                                   * -1 for areas, so that they count as touching. */
+  int32_t slack = m->ask == VS_ASK_AREA ? -1 : 1; /* number of steps by which each box shrinks on each side: 1 for
+                                                   * volumes, so that boxes that barely overlap count as separate; -1
+                                                   * for areas, so that they count as touching */
   vs_disjoint(set, n);
   for (uint32_t i = 0; i < n; i++) vs_bounds_unite(&all, &m->parts.at[i].box);
   double low[3] = { all.min.x, all.min.y, all.min.z },
@@ -235,8 +235,8 @@ static bool settle_cluster(measuring *m, const uint32_t *set, const uint32_t *me
       ok = left_over(m, m->parts.at[member[i]].ref, &m->parts.at[member[i]].placed, sign);
     return ok;
   }
-  vs_ref *refs = vs_zeros(count + (size_t)1, sizeof *refs); /* refs contains first the bodies of all differences in the
-                                                             * group, then their cutters */
+  vs_ref *refs = vs_zeros(count + (size_t)1, sizeof *refs); /* the array contains first the bodies of all differences in
+                                                             * the group, then their cutters */
   uint32_t at[2] = { 0, bodies };
   if (!refs) return memory(m);
   for (uint32_t i = 0; ok && i < count; i++) {

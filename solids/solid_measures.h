@@ -8,10 +8,9 @@
 
 typedef enum { VS_ASK_VOLUME, VS_ASK_AREA, VS_ASK_CENTROID } vs_ask;
 
-/* Computes the volume and the centroid of a resolved solid (solids/resolve.h), and for VS_ASK_AREA also its area. Parts
- * that touch no other part are measured by formulas, where there are any; the kernel meshes the others with the given
- * tolerance. If `tolerance` is 0, uses the drawing's tolerance, or a finer one if this costs little. options may be
- * NULL. Returns false and sets e on failure. */
+/* Computes the volume and centroid of a resolved solid (solids/resolve.h), and for VS_ASK_AREA also its area, by
+ * formulas where possible and by meshes with the given tolerance otherwise. If it is 0, uses the drawing's tolerance or
+ * a finer one. options may be NULL. Returns false and sets e on failure. */
 bool vs_solid_measure(vs_ref ref, vs_ask ask, double tolerance, const vs_kernel_options *options, vs_measure *out,
                       vs_error *e);
 

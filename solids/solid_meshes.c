@@ -376,7 +376,7 @@ static bool bound_half_spaces(builder *b) {
   for (size_t i = 0; ok && i < b->leaves.count; i++)
     b->within.at[i] = b->meshes.at[b->mesh_numbers.at[i]].node->kind == VS_HALF_SPACE ? vs_bounds_empty()
                     : (vs_bounds){ vs_v3(-INFINITY, -INFINITY, -INFINITY), vs_v3(INFINITY, INFINITY, INFINITY) };
-  /* own[i] becomes the box, over all occurrences of half-space i, that its mesh must cover. */
+  /* own[i] becomes the box that the mesh of half-space i must cover in all places where it occurs. */
   for (size_t i = 0; ok && i < b->scoped.count; i++) {
     const scoped *s = &b->scoped.at[i];
     vs_affine back;
@@ -439,8 +439,8 @@ static bool enter(builder *b, vs_walk *walk, const vs_ref *ref) {
   bool solid = n->class_ == VS_SOLID || n->class_ == VS_MIXED;
   if (solid && goes_in(n)) return true;
   vs_walk_skip(walk);
-  return solid ? add_leaf(b, ref, &now) : add_term(b, VS_TERM_UNION, 0, 0); /* a node that is no solid becomes an empty
-                                                                             * operand */
+  return solid ? add_leaf(b, ref, &now) : add_term(b, VS_TERM_UNION, 0, 0); /* a node that is no solid counts as an
+                                                                             * empty operand */
 }
 
 static bool leave(builder *b, const vs_ref *ref) {
@@ -499,11 +499,12 @@ static void tally_up(vs_tally *t, const vs_kernel_counts *c) {
   vs_tally_also(t, c->peak);
 }
 
-/* Where the result goes: `one` or `many`; the other pointer is NULL. depth, own: see the structure builder. */
+/* The destination of the result: `one` or `many`, and the other pointer is NULL. depth and own become the members of
+ * `builder` with these names. */
 typedef struct {
   vs_solid *one;
   vs_solid_copies *many;
-  int depth; /* how many levels below a reference a node counts as an object; see the structure builder */
+  int depth; /* number of levels below a reference at which a node counts as an object (vs_solid_of_objects) */
   bool own;
 } target;
 
@@ -563,7 +564,7 @@ static void take_failure(const builder *b) {
                "%s", why->message);
 }
 
-/* Frees the builder. of: store of the nodes, or NULL. An abandoned store's meshes, often a million, stay allocated. */
+/* Frees the builder. of: store of the nodes, or NULL. If the store is abandoned, its meshes stay allocated. */
 static void builder_free(builder *b, const vs_store *of) {
   for (size_t i = 0; i < b->meshes.count && !vs_store_is_abandoned(of); i++) {
     if (b->meshes.at[i].held) vs_cache_let_go(b->cache, b->meshes.at[i].held);

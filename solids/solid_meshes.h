@@ -38,9 +38,9 @@ typedef struct {
 
 typedef struct { const vs_ref *at; size_t count; } vs_refs;
 
-/* Computes the union of the solids in refs, and ignores curves and surfaces. out need not be initialised; it is empty
- * after a failure. options may be NULL. A face made by a subtraction has the cutter's material, or that of the cut
- * solid if the cutter has none. Where solids overlap, the earlier solid has priority. */
+/* Computes the union of the solids in refs, and ignores curves and surfaces. Where solids overlap, the earlier solid
+ * has priority. A face made by a subtraction has the cutter's material, if it has one. options may be NULL. Returns
+ * false and sets an error on failure; out is then empty. */
 bool vs_solid_evaluate(const vs_ref *refs, size_t count, const vs_fineness *facets, const vs_kernel_options *options,
                        vs_solid *out, vs_error *error);
 /* Computes the union of the solids as vs_solid_evaluate does, but keeps faces of different objects apart: coplanar

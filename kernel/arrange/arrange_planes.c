@@ -25,12 +25,10 @@ enum { FEW = 24 }; /* greatest number of segments for which every pair is tested
 
 typedef struct {
   uint32_t p, q;
-  uint32_t leaf;   /* For a boundary edge of a facet: number of the leaf (placed mesh) that contains the facet. The area
-                    * to the left of p->q has one more layer of this leaf's surface than the area to the right. For a
-                    * cut through a facet: VS_NONE. */
-  /* Which other plane or line contains the segment. A number below VS_LINE: number of a second plane. VS_NONE: the
-   * segment is an edge between two vertices of the input. VS_LINE + i: it is a part of the edge lines[i] of the
-   * cluster. */
+  uint32_t leaf;   /* For a boundary edge of a facet: number of the leaf (placed mesh) that contains the facet; the
+                    * facet is to the left of p->q. For a cut through a facet: VS_NONE. */
+  /* Number of a second plane that contains the segment; or VS_NONE: the segment is an edge between two vertices of the
+   * input; or VS_LINE + i: the segment is a part of the edge lines[i] of the cluster. */
   uint32_t side;
   uint8_t axis;    /* coordinate axis (0, 1 or 2) along which the ends p and q are far apart */
 } segment;
@@ -49,10 +47,10 @@ typedef struct {
   VS_LIST(uint32_t) lines;   /* lines[i]: number of the line that contains boundary edge uses[i]; set only if facets are
                               * given by their border edges instead of triangles */
   VS_LIST(vs_fresh_point) fresh;
-  size_t cuts, crossed;      /* cuts: number of segments so far, in this chunk of planes, that cut through facets;
+  size_t cuts, crossed;      /* cuts: number of segments that cut through facets, in this chunk of planes so far;
                               * crossed: number of points where two of these segments cross */
-  size_t hidden;             /* estimated number of points where cuts cross inside a leaf that alone decides the
-                              * expression's value; such points do not appear in the result */
+  size_t hidden;             /* estimated number of the crossings in `crossed` that lie inside a leaf and so do not
+                              * appear in the result */
 } findings;
 
 /* Memory in which one thread arranges one plane after another. */
@@ -65,8 +63,9 @@ typedef struct {
   vs_plane plane;
   VS_LIST(vs_point) points;      /* points of the facets and cuts in the plane; their member `next` links them in a hash
                                   * table */
-  VS_LIST(uint32_t) global;      /* global[i]: number in the cluster of the plane's point i, or VS_POINT_MORE + j for
-                                  * the new point j of the chunk */
+  VS_LIST(uint32_t) global;      /* global[i]: number in the cluster of the plane's point i. For a point that the
+                                  * cluster does not contain, VS_POINT_MORE plus its index among the chunk's new
+                                  * points. */
   VS_LIST(vs_homogeneous) more;  /* exact coordinates of the points that are new: the chunk made them, and the cluster
                                   * does not contain them */
   VS_LIST(uint32_t) known;       /* known[p]: index in `points` of the cluster's point p; valid only if `global` at this
@@ -87,18 +86,17 @@ typedef struct {
   VS_LIST(uint32_t) local;       /* local[i]: number of point i as a vertex of the plane sweep */
   VS_LIST(piece) pieces;
   VS_LIST(piece) sorted;
-  VS_LIST(uint32_t) on_first;    /* Before the sweep, an element for each segment: index of the first point on the
-                                  * segment. During the sweep, an element for each vertex: index of the vertex's first
-                                  * piece. */
+  VS_LIST(uint32_t) on_first;    /* before the sweep: for each segment, index of the first point on it; during the
+                                  * sweep: for each vertex, index of the first piece of a segment that begins there */
   VS_LIST(vs_keyed) keyed;
   VS_LIST(uint32_t) payload;     /* payload[e]: index in `sorted` of the first piece of segments on edge e of the plane
                                   * sweep; an extra element marks the end */
   /* line[e]: the member `side` of a segment that contains edge e of the plane sweep; a segment on an edge of the input
    * is preferred */
   VS_LIST(uint32_t) line;
-  VS_LIST(uint32_t) above, below, face; /* above[e], below[e]: number of the face above and below edge e; later,
-                                         * these numbers are united in a union-find structure; face[f]: final number
-                                         * of face f */
+  VS_LIST(uint32_t) above, below, face; /* above[e], below[e]: number of the face above and below edge e of the sweep;
+                                         * face[f]: final number of face f, because several numbers may belong to one
+                                         * face */
   VS_LIST(uint32_t) face_first, face_edges, queue;
   VS_LIST(vs_cover) cover;       /* for each face of the plane: how each leaf's winding number changes from one side of
                                   * the plane to the other */
@@ -285,8 +283,8 @@ static bool meet(const plane_work *w, const segment *s, const segment *t, vs_hom
   return vs_meet_planes(&w->plane, &a, &b, out);
 }
 
-/* Counts a crossing of two cuts. Tests every 16th crossing: is it hidden inside a leaf that alone decides the
- * expression's value? Returns false once too many crossings are hidden. */
+/* Counts a crossing of two cuts. For every 16th crossing, tests whether a leaf hides it in the result. Returns false
+ * once too many crossings are hidden. */
 static bool look_whether_hidden(plane_work *w, uint32_t point) {
   enum { ONE_IN = 16 };
   findings *to = w->to;
@@ -328,8 +326,8 @@ static bool cross(void *context, uint32_t i, uint32_t j) {
   return new_point(w, &h, &x) && look_whether_hidden(w, x) && put(w, i, x) && put(w, j, x);
 }
 
-/* Finds the crossings of all pairs of segments, except pairs among the first `tried` segments, which were tested
- * before. */
+/* Finds the crossings of all pairs of segments, except pairs of two among the first `tried` segments, which were tested
+ * earlier. */
 static bool crossings(plane_work *w, uint32_t tried) {
   uint32_t n = (uint32_t)w->segments.count;
   VS_ASSERT(tried <= n);
@@ -560,7 +558,7 @@ static bool name_faces(plane_work *w) {
     }
   }
   if (!vs_sweep_done(&w->sweep)) return false;
-  uint32_t count = 0; /* The root of each set of united faces is its smallest number. Therefore one pass numbers the
+  uint32_t count = 0; /* Each set of united faces has its smallest number as its root. Therefore one pass numbers the
                        * faces without gaps and in order. */
   for (uint32_t f = 0; f < w->face.count; f++) w->face.at[f] = vs_find(w->face.at, f) == f ? f : vs_find(w->face.at, f);
   if (!VS_ROOM(k, w->list.at, w->list.room, w->face.count)) return false;
@@ -736,9 +734,8 @@ static bool arrange_group(plane_work *w, const arranging *a, uint32_t root) {
   }
   vs_sort_keyed(at, at + cut_count, cut_count);
   uint32_t kept = 0, tried = 0;
-  for (uint32_t j = 0, stop; j < cut_count; j = stop) { /* if several segments that cut through facets are equal,
-                                                         * keeps one of them, with the first of the planes that
-                                                         * contain them */
+  for (uint32_t j = 0, stop; j < cut_count; j = stop) { /* keeps a single segment of each set of equal segments that cut
+                                                         * through facets */
     uint32_t plane = at[j].item, p, q;
     for (stop = j + 1; stop < cut_count && at[stop].key == at[j].key; stop++)
       if (at[stop].item < plane) plane = at[stop].item;
@@ -902,12 +899,12 @@ bool vs_arrange_planes(vs_kernel *k, vs_cluster *c) {
   vs_points_forget(k, &c->points);
   vs_points_forget(k, &a.points);
   ok = ok && vs_points_append(k, &c->points, &a.points);
-  if (!ok && k->error->status == VS_KERNEL_FINE && !c->layered) c->crowded = c->crowd > 0; /* Too many crossings were
-                                                                                            * hidden inside solids.
-                                                                                            * Therefore the caller will
-                                                                                            * arrange the cluster again,
-                                                                                            * after it has united its
-                                                                                            * solids two by two. */
+  if (!ok && k->error->status == VS_KERNEL_FINE && !c->layered) c->crowded = c->crowd > 0; /* Too many crossings of cuts
+                                                                                            * are hidden inside solids.
+                                                                                            * The caller will unite the
+                                                                                            * solids two by two, and
+                                                                                            * then arrange the cluster
+                                                                                            * again. */
   for (size_t i = 0; i < VS_PIPELINE_WINDOW; i++) {
     VS_DROP(k, a.found[i].faces);
     VS_DROP(k, a.found[i].covers);

@@ -4,10 +4,9 @@
 
 #include "kernel/cluster.h"
 
-bool vs_arrange_planes(vs_kernel *k, vs_cluster *c);                   /* makes the faces of cluster c and their
-                                                                        * boundary edges (c->uses); returns false on
-                                                                        * failure, or if so many crossings of facets are
-                                                                        * hidden that the solids must first be united
-                                                                        * two by two */
+bool vs_arrange_planes(vs_kernel *k, vs_cluster *c);                   /* Makes the faces of cluster c and their
+                                                                        * boundary edges (c->uses). Returns false on
+                                                                        * failure, or with c->crowded set if the solids
+                                                                        * must first be united two by two. */
 
 #endif

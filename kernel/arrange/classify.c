@@ -33,9 +33,8 @@ typedef struct {
                                      * `borders` of the first side of cell c */
   VS_LIST(uint64_t) sum;    /* sum[c]: sum of a random number for each winding around cell c; two paths to a cell must
                              * give equal sums, which checks the arrangement */
-  VS_LIST(uint8_t) state;   /* state[c]: bits of cell c. 1: visited; 2: the walk has passed through it; 4: inside the
-                             * result; 8: one leaf alone decides the value here, so the walk does not continue from this
-                             * cell */
+  VS_LIST(uint8_t) state;   /* state[c]: bits of cell c (piece of space). 1: visited; 2: the walk has passed through it;
+                             * 4: inside the result; 8: one leaf alone decides the value here, so the walk ends here */
   VS_LIST(uint32_t) queue;
   struct { uint32_t cell, next, face; } *stack;
   size_t stack_room;
@@ -50,7 +49,7 @@ typedef struct {
                              * there */
   bool owned;               /* true if `owner` is needed, because some faces get the tag of the leaf that owns the cell
                              * beside them */
-  /* The members below describe a ray: it passes through `face`, whose winding numbers are searched. */
+  /* the face through which the ray passes whose winding numbers are searched */
   uint32_t face;
   int axis;
   bool degenerate;
@@ -152,7 +151,8 @@ static bool join_range(vs_kernel *k, void *context, size_t range) {
     const vs_half *at = h->at.at + i;
     for (end = i + 1; end < h->first.at[low + 1] && h->at.at[end].high == at->high;) end++;
     for (uint32_t j = i; j < end; j++) look_ahead(c, j, stop);
-    if (end - i == 1) { /* only one face is left at this edge, because the kernel removed its partner early as hidden */
+    if (end - i == 1) { /* Only one face is left at this edge, because the kernel has removed the other face early as
+                         * hidden. */
       uint32_t face = c->uses.at[at->item].face;
       vs_unite_shared(w->sets.at, 2 * face, 2 * face + 1);
     } else if (end - i == 2) {
@@ -187,8 +187,8 @@ static bool make_cells(walk *w) {
   for (size_t i = 0; i < c->regions.count; i++)
     if (c->regions.at[i].open) vs_unite_shared(w->sets.at, 2 * c->regions.at[i].face, 2 * c->regions.at[i].face + 1);
   w->cells = 0;
-  for (uint32_t i = 0; i < 2 * f; i++) { /* The root of each set is its smallest number. Therefore one pass can number
-                                          * the cells. */
+  for (uint32_t i = 0; i < 2 * f; i++) { /* The root of each set of united sides is its smallest number. Therefore one
+                                          * pass can number the cells. */
     uint32_t root = vs_find_shared(w->sets.at, i);
     w->side.at[i] = root == i ? w->cells++ : w->side.at[root];
   }
@@ -375,8 +375,8 @@ static int by_leaf(const void *a, const void *b) {
   return (x > y) - (x < y);
 }
 
-/* In w->found, replaces the winding numbers of leaves that were united to one solid by one number for the solid: 1 if
- * the place is inside any of these leaves, else 0. */
+/* In w->found, replaces the winding numbers of all leaves that were united to one solid by a single number for the
+ * solid: 1 if the place is inside any of these leaves, else 0. */
 static void find_solids(walk *w) {
   vs_cover *at = w->found.at;
   size_t n = w->found.count, kept = 0;
@@ -629,10 +629,8 @@ static double about_thickness(const walk *w, uint32_t face) {
   return fabs(about_area(w, face)) / longest;
 }
 
-/* Returns true if the first `cells` cells in w->queue are too thin for a ray and one of them borders a cell with a
- * known value. All of them then get this value. The result is closed for any value, because the kept faces are those
- * between different values. Each cell is thinner than the sum of its faces' thicknesses, which is far less than a grid
- * step. */
+/* Gives the first `cells` cells in w->queue the known value of a cell beside them, if all of them are too thin for a
+ * ray. Returns false if they are not, or no such value is known. The result is closed for any value. */
 static bool settle_crumbs(walk *w, size_t cells) {
   static const double CRUMB = 64; /* greatest thickness of a face, in fixed-point units, at which a ray cannot be aimed
                                    * at the face */
@@ -669,9 +667,8 @@ static bool walk_component(walk *w, uint32_t start, size_t most) {
   uint32_t above = w->side.at[a.side], below = w->side.at[a.side ^ 1], through = a.side / 2;
   if (!(w->state.at[above] & 2) && !walk_from(w, above)) return false;
   if (w->state.at[below] & 2) return true;
-  const vs_face *f = &w->c->faces.at[through]; /* Inside the cell above, a single leaf decides the value, so the walk
-                                                * cannot start there. It starts in the cell below, whose winding numbers
-                                                * follow from the changes across the face. */
+  const vs_face *f = &w->c->faces.at[through]; /* In the cell above the face, a single leaf decides the value, so the
+                                                * walk cannot start there. It starts in the cell below the face. */
   for (uint32_t i = 0; i < f->cover_count; i++) {
     vs_cover cover = w->c->covers.at[f->cover + i];
     vs_cover across = { vs_solid_of(w->c, cover.leaf), a.side & 1 ? -cover.delta : cover.delta };
@@ -680,9 +677,9 @@ static bool walk_component(walk *w, uint32_t start, size_t most) {
   return walk_from(w, below);
 }
 
-/* Marks cells inside a leaf that alone decides the expression's value there; these cells need no ray. The leaf is a
- * star on the grid (its middle sees every triangle from inside). A cell is inside the leaf if it lies beside a face
- * that separates the winding numbers 0 and 1. */
+/* Marks cells inside a star (leaf whose middle sees every triangle from inside) that alone decides the expression's
+ * value there. These cells need no ray. They lie beside a face where the leaf's winding number changes between 0 and
+ * 1. */
 static bool mark_settled(walk *w) {
   const vs_cluster *c = w->c;
   bool value = c->joining || w->e->forced;
@@ -707,8 +704,8 @@ static bool mark_settled(walk *w) {
   return true;
 }
 
-/* Returns the leaf whose tag the face gets: the first leaf that has this surface. If that is a bare leaf that is
- * subtracted, returns the owner of `cell` instead. cell: the cell on the side of the face that is inside the result. */
+/* Returns the leaf whose tag the face gets: the first leaf with this surface. If that leaf is `bare` and subtracted,
+ * returns the owner of the cell on the inner side of the face instead. */
 static uint32_t painter(const walk *w, uint32_t face, uint32_t cell) {
   const vs_cluster *c = w->c;
   const vs_face *f = &c->faces.at[face];
@@ -732,8 +729,8 @@ bool vs_classify_faces(vs_kernel *k, vs_cluster *c, vs_expression *e) {
   for (uint32_t i = 0; ok && i < w.cells; i++) {
     enum { AROUND = 1000 };
     if (w.state.at[i] & 2) continue;
-    /* Space whose value is already decided may separate the connected cells. If the first ray does not reach cell i,
-     * another ray starts there. */
+    /* The ray may not reach all connected cells, because the walk ends at cells that one leaf decides. If it does not
+     * reach cell i, another ray starts at that cell. */
     ok = walk_component(&w, i, AROUND) && (w.state.at[i] & 2 || walk_component(&w, i, 1)) && vs_kernel_poll(k, 0.8);
   }
   ok = ok && VS_ROOM(k, c->kept.at, c->kept.room, c->faces.count + 1);

@@ -17,8 +17,8 @@
 
 enum { CANDIDATES = 64 };
 
-/* A possible frame. Its directions are r, with the inverse `back`, and the length of a step along each axis is `unit`.
- * votes: number of leaves with this frame; plates: total area of the thin plates whose faces lie on its grid. */
+/* A possible frame: directions r, their inverse `back`, and the length `unit` of a step along each axis. votes: number
+ * of leaves with this frame; plates: total area of the thin plates whose faces lie on its grid. */
 typedef struct { double r[3][3], back[3][3], unit[3]; double plates; uint32_t votes; } candidate;
 
 /* Splits the linear part of a placement into the lengths of its columns (scale) and their directions (r). Returns false
@@ -107,7 +107,7 @@ bool vs_frame_choose(vs_kernel *k, vs_cluster *c, vs_affine *to_frame) {
       bool rigid;
       if (!invert(r, all[j].back, &rigid)) continue;
       double least = fmin(scale[0], fmin(scale[1], scale[2])), most = fmax(scale[0], fmax(scale[1], scale[2]));
-      /* Leaves with a common shear keep their coordinates unscaled. */
+      /* Leaves whose common linear part has a shear keep their coordinates unscaled. */
       for (int x = 0; x < 3; x++) all[j].unit[x] = rigid || most > 4 * least ? 1 : scale[x];
       for (int x = 0; x < 3; x++)
         for (int y = 0; y < 3; y++) all[j].r[x][y] = r[x][y];

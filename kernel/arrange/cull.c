@@ -38,8 +38,8 @@ static double box_size(const vs_bvh_box *b) {
   return ((double)b->max[0] - b->min[0]) * ((double)b->max[1] - b->min[1]) * ((double)b->max[2] - b->min[2]);
 }
 
-/* Sets p->to_local to the map from grid steps to the coordinates of the leaf's mesh, and p->margin to the length of two
- * steps in these coordinates. Returns false if the placement is flat. */
+/* Sets p->to_local, the map from grid steps to the coordinates of the leaf's mesh, and p->margin, the length of two
+ * grid steps there. Returns false if the placement cannot be inverted because it is flat. */
 static bool find_local(const vs_grid *g, const vs_affine *to_frame, vs_placed *p) {
   double step = g->unit / g->scale, sum = 0;
   vs_affine inverse;
@@ -129,8 +129,8 @@ bool vs_cull_prepare(vs_kernel *k, vs_cluster *c, const vs_affine *to_frame) {
   return ok;
 }
 
-/* Computes the gate's box: the expression is false outside of it. The box is in grid steps and enlarged by two steps.
- * Returns false if the expression has no gate. */
+/* Computes the box outside of which the result is empty, in grid steps and enlarged by two steps. Returns false if the
+ * expression has no such box. */
 static bool gate_box(const vs_cluster *c, double low[3], double high[3]) {
   if (!c->gate) return false;
   double step = c->grid.unit / c->grid.scale;
@@ -154,7 +154,7 @@ static bool in_box(const vs_bvh_box *b, const double p[3]) {
 }
 
 /* Returns true if point p is more than two grid steps inside the convex leaf `lid`. square: squared distance of p from
- * the leaf's middle, which decides nearly all cases. */
+ * the leaf's middle. */
 static bool in_lid_at(const vs_placed *lid, double square, const double p[3]) {
   if (square > lid->outside) return false;
   if (square < lid->well_inside) return true;
@@ -175,8 +175,8 @@ bool vs_cull_needed(const vs_cluster *c, uint32_t place) {
                                                                  * Therefore nothing is removed. */
   if (p->lids_count) return true;
   bool out = false;
-  if (gate_box(c, low, high)) /* if the leaf is entirely inside the gate's box, outside of which the result is empty,
-                               * nothing of the leaf is removed */
+  if (gate_box(c, low, high)) /* a leaf that lies entirely in the box outside of which the result is empty keeps all its
+                               * triangles */
     for (int a = 0; a < 3; a++) out = out || p->box.min[a] < low[a] || p->box.max[a] > high[a];
   return out;
 }
@@ -243,8 +243,8 @@ bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const 
  * edges whose convex hull contains the remaining part. Returns the number of these points; 0 if nothing remains or
  * rounding errors prevent a decision. */
 static uint32_t clip_outline(const vs_placed *lid, double radius, double (*at)[3], uint32_t n, uint32_t room) {
-  /* SURELY: the ball's squared radius is reduced by this fraction, which exceeds all rounding errors. FAR: greatest
-   * ratio of a corner's squared distance from the ball's middle to the squared radius for which SURELY exceeds them. */
+  /* SURELY: fraction by which the ball's squared radius is reduced, more than all rounding errors; FAR: greatest ratio
+   * of a corner's squared distance to the squared radius for which this holds */
   static const double SURELY = 1e-6, FAR = 1e6;
   double (*out)[3] = at + room; /* the result uses the second half of the caller's array */
   uint32_t count = 0;
@@ -283,8 +283,8 @@ void vs_cull_box(const vs_cluster *c, uint32_t place, const vs_patch_corner *cor
       size = fmax(size, (double)box->max[a] - box->min[a]);
       other = fmax(other, (double)lid->box.max[a] - lid->box.min[a]);
     }
-    if (size < other / 2) continue; /* the box of the patch is less than half as large as the box of the lid, so a
-                                     * smaller box would save little work */
+    if (size < other / 2) continue; /* the box of the patch is less than half as large as the box of the lid (convex
+                                     * leaf), so a smaller box would save little work */
     for (uint32_t j = 0; !begun && j < count; j++)
       for (int a = 0; a < 3; a++) at[j][a] = corners[j].at[a];
     begun = true;

@@ -5,10 +5,11 @@
 #include "kernel/cluster.h"
 
 bool vs_cull_prepare(vs_kernel *k, vs_cluster *c, const vs_affine *to_frame); /* Finds, for each leaf of the cluster,
-                                                                               * the nearby lids: convex leaves inside
-                                                                               * which the expression's value is
-                                                                               * decided. vs_snap_to_grid calls this
-                                                                               * function. Returns false on an error. */
+                                                                               * the nearby lids: convex leaves that
+                                                                               * alone decide the result inside them.
+                                                                               * to_frame: map of each leaf into the
+                                                                               * cluster's frame. Returns false on an
+                                                                               * error. */
 /* Sets masks[v] to the set of lids that contain vertex v, for the vertices from `begin` to `end` - 1 of a leaf. A lid
  * is a convex leaf whose inside is decided. place: index of the leaf in the cluster. Returns false if interrupted. */
 bool vs_cull_vertices(vs_kernel *k, const vs_cluster *c, uint32_t place, size_t begin, size_t end, uint64_t *masks);

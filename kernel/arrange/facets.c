@@ -59,7 +59,7 @@ typedef struct {
   VS_LIST(uint32_t) twins;      /* pairs of corners with opposite edges (vs_twins_find); filled only if the leaf's mesh
                                  * has no such list */
   VS_LIST(uint32_t) fresh;      /* vertices, in the current range of triangles (span), that have no point number yet */
-  size_t given;                 /* total number of triangles in the batches before this one */
+  size_t given;                 /* number of triangles in all batches before the current batch */
 } facets;
 
 static uint32_t turned(bool mirrored, uint32_t j) { return mirrored ? 2 - j : j; }
@@ -119,9 +119,10 @@ static bool same_plane(const found_triangle *a, const found_triangle *b) {
  * coordinates of the leaf's vertices; v, w: vertices of the two triangles. */
 static bool nearly_one_plane(int32_t (*at)[3], const found_triangle *a, const uint32_t v[3], const found_triangle *b,
                              const uint32_t w[3]) {
-  static const double OFF = 4, ALIKE = 0.999; /* OFF: the grid may move three corners so that a fourth corner of their
-                                               * plane is this many steps off it, at most. ALIKE: least cosine of the
-                                               * angle between two normals that may belong to one plane of the input. */
+  static const double OFF = 4, ALIKE = 0.999; /* OFF: greatest distance, in grid steps, of a fourth corner from the
+                                               * plane of three others if all lay in one plane before rounding. ALIKE:
+                                               * least cosine of the angle between the normals of two triangles that may
+                                               * have been in one plane. */
   double n = 0, m = 0, both = 0, above = 0, below = 0;
   for (int i = 0; i < 3; i++) {
     double x = (double)a->plane.n[i], y = (double)b->plane.n[i];
@@ -162,8 +163,8 @@ static bool join_span(vs_kernel *k, void *context, size_t index) {
           (same || nearly_one_plane(f->c->corners + p->first, a, corners[a->source], b, corners[b->source])))
         vs_unite_shared(f->sheets.at, s->base + i, other->base + number);
       if (!same) continue;
-      a->inner |= (uint8_t)(1u << j); /* the task that handles the neighbouring triangle sets the bit of that triangle
-                                       * for this edge */
+      a->inner |= (uint8_t)(1u << j); /* the task that handles the neighbouring triangle sets the bit in that triangle's
+                                       * `inner` */
       if (a->source < b->source) vs_unite_shared(f->sets.at, s->base + i, other->base + number);
     }
   }
@@ -318,16 +319,17 @@ static bool index_facets(vs_kernel *k, vs_cluster *c) {
   if (!VS_PUSH(k, c->facets, last) || !VS_ROOM(k, c->facet_triangles.at, c->facet_triangles.room, n + 1)) return false;
   for (size_t t = 0; t < n; t++) c->facets.at[c->triangles.at[t].facet + 1].first++;
   for (size_t i = 1; i <= f; i++) c->facets.at[i].first += c->facets.at[i - 1].first;
-  for (size_t t = n; t-- > 0;) { /* facets[i].first begins as the end of the facet's range in facet_triangles, and
-                                  * decreases to the beginning as triangles are entered. */
+  for (size_t t = n; t-- > 0;) { /* facets[i].first begins as the end of the facet's range in facet_triangles. It
+                                  * decreases with each triangle that is entered, and so ends as the beginning of the
+                                  * range. */
     uint32_t facet = c->triangles.at[t].facet;
     c->facet_triangles.at[--c->facets.at[facet + 1].first] = (uint32_t)t;
   }
   for (size_t i = 0; i < f; i++) c->facets.at[i].first = c->facets.at[i + 1].first;
   c->facets.at[f].first = (uint32_t)n;
   c->facet_triangles.count = n;
-  c->facets.count = f; /* an extra facet after the last one stays in memory; its `first` marks the end of the last
-                        * facet's triangles */
+  c->facets.count = f; /* one more facet than the count stays in memory; its `first` marks the end of the last facet's
+                        * triangles */
   return true;
 }
 

@@ -33,8 +33,8 @@ typedef struct {
   uint32_t id;   /* point number of the event, or FRESH plus an index in `crossings` for a new point */
   uint8_t first, exact; /* first: 1 if the event lies on the outline of the first facet of the pair, 0 for the second;
                          * exact: 1 if the event's fixed-point numbers are exact */
-  uint8_t turns; /* bits UP and DOWN: UP is set if the line, moved up a little, enters or leaves the facet at this
-                  * event; DOWN likewise for the line moved down */
+  uint8_t turns; /* bits UP and DOWN: UP is set if the line of the two planes, moved up a little, enters or leaves the
+                  * facet at this event; DOWN is set if it does so when moved down */
 } event;
 
 /* Memory that one thread reuses for all its pairs of facets. */
@@ -191,8 +191,8 @@ static bool add_contact(chunk *m, uint32_t a, uint32_t b, const event *from, con
   return !cut || VS_PUSH(m->k, m->contacts, ((contact){ a, b, p, q, cut }));
 }
 
-/* Returns the first event from index i on, and skips all further events at the same point. If the point of one of these
- * events has a number, returns that event. *end: index after the last event at this point. */
+/* Returns the first event from index i on, and skips the events at the same point. Among the events at this point,
+ * prefers one whose point already has a number. *end: index after the last event at this point. */
 static event *gather(chunk *m, size_t i, int axis, size_t *end) {
   event *at = m->w->events.at, *best = &at[i];
   VS_ASSERT(i < m->w->events.count);
@@ -212,8 +212,8 @@ static bool share(chunk *m, uint32_t a, uint32_t b) {
   for (size_t i = 0; i < m->w->crossings.count; i++) m->w->given.at[i] = VS_NONE;
   int axis = axis_of(plane_of(c, f), plane_of(c, g));
   sort_events(m, axis);
-  uint8_t in[2] = { 0, 0 }; /* in[f]: bit UP is set if the line, moved up a little, is inside facet f of the pair; bit
-                             * DOWN likewise for the line moved down */
+  uint8_t in[2] = { 0, 0 }; /* in[f] for facet f of the pair: bit UP is set if the line of the two planes, moved up a
+                             * little, is inside the facet; bit DOWN if it is inside when moved down */
   bool covered = false;     /* true if both facets of the pair contain the interval of their common line directly before
                              * this event */
   event before = { .id = VS_NONE };
@@ -258,8 +258,7 @@ typedef struct {
   working *works; /* array with the working memory of each thread */
 } meeting;
 
-enum { CHUNK = 64 }; /* The pairs of patches are searched in blocks of the tree of boxes. This is the number of blocks
-                      * of one task. */
+enum { CHUNK = 64 }; /* number of blocks of the tree of boxes in which one task searches pairs of facets */
 
 static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
   meeting *all = context;

@@ -29,8 +29,7 @@ typedef struct {
 } contact;
 #define FRESH (UINT32_C(1) << 31)
 
-/* A cached point where an edge crosses a patch. The two triangles at the edge both need it, mostly within a short
- * time. */
+/* A cached point where an edge crosses a patch. The two triangles beside the edge both need it. */
 typedef struct {
   uint32_t low, high, patch; /* low, high: points at the ends of the edge; patch: index of the patch that the edge
                               * crosses */
@@ -56,8 +55,8 @@ typedef struct {
   size_t asked;                   /* number of segments for which the thread tested whether a convex leaf hides them
                                    * entirely */
   size_t left, looked, hidden;    /* left: number of segments that no single convex leaf hides entirely; looked: number
-                                   * of segments among these whose middle was tested; hidden: number of tested middles
-                                   * that are hidden */
+                                   * of these segments whose middle was tested; hidden: number of the tested middles
+                                   * that a leaf hides */
 } chunk;
 
 static const vs_patch_corner *corners(const vs_cluster *c, const vs_patch *p) { return c->patch_corners.at + p->first; }
@@ -146,8 +145,8 @@ static crossing *crossing_of(chunk *m, uint32_t p, uint32_t q, uint32_t patch) {
  * between a corner and the next. */
 typedef struct {
   const facing *f;
-  uint32_t corner, next; /* the end lies on the edge between `corner` and the corner `next`, or at `corner` if the two
-                          * are equal */
+  uint32_t corner, next; /* the end lies on the edge from `corner` to the corner `next` of the patch; if the two are
+                          * equal, it lies at this corner */
   double at, error;      /* at: coordinate of the end along the line's main axis, in steps; error: upper bound for its
                           * error */
 } end;
@@ -260,9 +259,8 @@ static bool overlap(const vs_cluster *c, const vs_patch *a, const vs_patch *b) {
   return !(apart && a->facet == b->facet);
 }
 
-/* Returns true if triangles a and b of one leaf, in different planes, share only a corner or edge, as neighbours do. A
- * common edge is all that they share. With a common corner, it is all if the other corners of one triangle lie on one
- * side of the other's plane. Returns false if this quick test does not decide. */
+/* Returns true if triangles a and b of one leaf, in different planes, share only a corner or an edge, as neighbours do.
+ * Returns false if this quick test does not decide. */
 static bool only_neighbours(const vs_cluster *c, const vs_patch *a, const vs_patch *b) {
   if (a->count != 3 || b->count != 3) return false;
   const vs_patch_corner *x = corners(c, a), *y = corners(c, b);
@@ -319,8 +317,8 @@ static bool end_point(chunk *m, const end *e, uint32_t *id) {
   return true;
 }
 
-/* Inserts into `line` the corners of f's patch that lie between the ends low and high. Called if an edge of a patch may
- * lie on the line of the two planes. If such a corner is at the same place as an end, it replaces the end. */
+/* Inserts into `line` the corners of f's patch between the ends low and high. If such a corner is at the same place as
+ * an end, it replaces the end. */
 static bool corners_between(chunk *m, const facing *f, int axis, end *low, end *high) {
   const vs_patch_corner *x = corners(m->c, f->of);
   for (uint32_t i = 0; f->on > 2 && i < f->of->count; i++) {
@@ -344,8 +342,8 @@ static bool corners_between(chunk *m, const facing *f, int axis, end *low, end *
   return true;
 }
 
-/* Returns true if the segment from p to q is new for f's patch, thus no edge or corner of it. The points p and q are on
- * the line of the two planes; f->first_on and f->last_on are the patch's corners on that line. */
+/* Returns true if the segment from p to q, on the line of the two planes, is new for f's patch: neither an edge nor a
+ * corner of it. */
 static bool is_new_on(const vs_cluster *c, const facing *f, uint32_t p, uint32_t q) {
   const vs_patch_corner *x = corners(c, f->of);
   if (f->on > 2) return is_new(c, f->of, p, q);
@@ -463,9 +461,8 @@ static bool leave(meeting *m, const vs_patch *t, uint32_t p, uint32_t q, uint32_
   return VS_PUSH(m->k, m->c->cuts, ((vs_facet_cut){ t->facet, p, q, plane }));
 }
 
-/* Returns true if the chunks so far show that there are very many cuts and that the result hides nearly all of them.
- * The solids are then united two by two instead. If most cuts are visible, as in a lattice of holes, that would only
- * repeat the work. */
+/* Returns true if the chunks so far have very many cuts and the result hides nearly all of them. The solids should then
+ * be united two by two. */
 static bool most_is_hidden(const meeting *m, size_t index) {
   enum { SURE = 500, EACH = 32, LEAST = 20000 };
   const vs_cluster *c = m->c;
@@ -504,8 +501,7 @@ static bool absorb(vs_kernel *k, void *context, size_t index) {
   return true;
 }
 
-enum { CHUNK = 64 }; /* The pairs of patches are searched in blocks of the tree of boxes. This is the number of blocks
-                      * of one task. All partners of a large patch are found by one task. */
+enum { CHUNK = 64 }; /* Number of blocks of the tree of boxes in which one task searches pairs of patches. */
 
 static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
   meeting *all = context;

@@ -31,8 +31,8 @@ typedef struct {
   vs_points_table points; /* points of the shell, without the hash table that finds a point by its coordinates */
   vs_outlines outlines;   /* facets of the shell and their border edges, which refer to elements of `points` */
   vs_bvh_box box;
-  uint32_t solid;         /* number of one of the leaves (placed meshes) inside the shell, by which its solid is
-                           * identified */
+  uint32_t solid;         /* number of one leaf (placed mesh) inside the shell, from which vs_solid_of finds the shell's
+                           * solid */
 } shell;
 
 /* A range of leaves: order[first] to order[end - 1]. made: true if the shells of both halves of the range are already
@@ -51,8 +51,8 @@ typedef struct {
                                   * marks the end */
   VS_LIST(span) spans;
   VS_LIST(shell) shells;
-  /* number[p]: while points are copied from the cluster to a shell, the shell's number of the cluster's point p.
-   * Otherwise VS_NONE. */
+  /* number[p]: the shell's number of the cluster's point p, while points are copied from the cluster to a shell;
+   * otherwise VS_NONE */
   VS_LIST(uint32_t) number;
   VS_LIST(uint32_t) taken;       /* numbers p of the points for which number[p] is set, so that these elements can be
                                   * reset */
@@ -100,8 +100,8 @@ static bool take_points(levels *l, shell *s, const vs_points_table *from) {
   return true;
 }
 
-/* Appends the facets of shell s to those of cluster `to`. family: facets of one family are not tested against each
- * other (bvh.h). The caller appends the extra facet that marks the end of the last facet. */
+/* Appends the facets of shell s to those of cluster `to`. Facets with the same number `family` are not tested against
+ * each other (bvh.h). The caller appends an extra facet that marks the end of the last facet. */
 static bool add_shell(levels *l, vs_cluster *to, const shell *s, uint32_t family) {
   vs_kernel *k = l->k;
   size_t points = s->points.all.count, facets = s->outlines.facets.count;

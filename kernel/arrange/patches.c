@@ -33,7 +33,7 @@ typedef struct {
   vs_cluster *c;
   made made[VS_PIPELINE_WINDOW];
   building *works; /* array with the working memory of each thread */
-  VS_LIST(uint32_t) alone; /* alone[p]: index of the only facet in plane p, or SEVERAL */
+  VS_LIST(uint32_t) alone; /* alone[p]: index of the facet in plane p if there is only one, else SEVERAL */
 } patching;
 
 /* Appends a patch. Its corners are those of the chunk, from index `first` to the last. */
@@ -49,8 +49,8 @@ static bool add_patch(building *b, uint32_t facet, uint32_t first, uint8_t inner
       if (x < box.min[a]) box.min[a] = x;
       if (x > box.max[a]) box.max[a] = x;
     }
-  /* Reduces the box of the patch to its visible part, if the facet is the only one in its plane. Otherwise the hidden
-   * part is needed: facets of one plane must be cut by each other's borders, or two faces could overlap. */
+  /* Reduces the box of the patch to the part that no convex leaf hides, if its facet is the only one in its plane.
+   * Facets in a common plane must be cut by each other's borders even where they are hidden. */
   if (c->placed.at[p.place].lids_count && b->alone[p.plane] == facet)
     vs_cull_box(c, p.place, b->to->corners.at + first, p.count, &box);
   return VS_PUSH(b->k, b->to->patches, p) && VS_PUSH(b->k, b->to->boxes, box);

@@ -51,8 +51,8 @@ typedef struct {
   VS_LIST(vs_bvh_box) boxes;        /* boxes[i]: bounding box of block i of triangles */
   vs_bvh bvh;
   VS_LIST(_Atomic uint8_t) fans; /* fans[v]: state of vertex v. 1: its triangles form a single fan that goes around
-                                  * once. 2 or more: they do not. PROVEN: the vertex has very many triangles, which the
-                                  * search for hubs has proven to be such a fan. */
+                                  * once. 2 or more: they do not. PROVEN: the search for hubs has proven that the very
+                                  * many triangles at v form such a fan. */
   VS_LIST(vs_hubs) hubs;         /* hubs[i]: corners of leaf i, on the grid, at which very many triangles end */
   VS_LIST(_Atomic uint32_t) sets;
 } plain;
@@ -125,8 +125,8 @@ static uint32_t hub_of(const plain *p, uint32_t place, uint32_t t) {
   return h->of.count ? h->of.at[t] : UINT32_MAX;
 }
 
-/* Finds the next block of triangles, from *first to *end - 1. Either all have one hub (a corner with very many
- * triangles), or none has a hub. Returns false at the end of the span. */
+/* Finds the next block of triangles, from *first to *end - 1. In a block, all triangles have one hub (a corner with
+ * very many triangles), or none has a hub. Returns false at the end of the span. */
 static bool next_block(const plain *p, const span *s, uint32_t *first, uint32_t *end) {
   const vs_cluster *c = p->c;
   const uint32_t (*v)[3] = (const uint32_t (*)[3])mesh_at(c, s->place)->triangles;
@@ -226,8 +226,7 @@ static bool meet_blocks(void *context, uint32_t first, uint32_t second) {
   return true;
 }
 
-enum { CHUNK = 256 }; /* The pairs are searched in blocks of the tree of boxes. This is the number of blocks of one
-                       * task. */
+enum { CHUNK = 256 }; /* number of blocks of the tree of boxes in which one task searches pairs of triangles */
 
 static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
   searcher s = { context, k };
@@ -389,8 +388,8 @@ static void look_around(plain *p, uint32_t place, uint32_t corner) {
     falls += lower((double)q[x] - o[x], (double)q[y] - o[y]) && !lower((double)r[x] - o[x], (double)r[y] - o[y]);
   }
   uint8_t had = atomic_fetch_or_explicit(fan, good && falls == 1 ? 1 : 2, memory_order_relaxed);
-  if (had) atomic_fetch_or_explicit(fan, 2, memory_order_relaxed); /* a fan was found at this vertex before: two fans of
-                                                                    * triangles touch there */
+  if (had) atomic_fetch_or_explicit(fan, 2, memory_order_relaxed); /* an earlier call has found another fan of triangles
+                                                                    * at this vertex, so two fans touch there */
 }
 
 static bool find_fans(vs_kernel *k, void *context, size_t index) {

@@ -90,8 +90,8 @@ void vs_plane_axes(vs_plane *p) {
   p->v = (uint8_t)(up ? v : u);
 }
 
-/* Computes p = b - a and q = c - a. Returns true if the differences are so small that a product of three of them fits
- * into 127 bits as (i64 x i64) x i64. */
+/* Computes p = b - a and q = c - a. Returns true if the components are small enough that products of three of them fit
+ * into 127 bits. */
 static inline bool differences(const int32_t a[3], const int32_t b[3], const int32_t c[3], int64_t p[3], int64_t q[3]) {
   uint64_t wide = 0;
   for (int i = 0; i < 3; i++) {
@@ -235,8 +235,8 @@ bool vs_meet_planes(const vs_plane *p, const vs_plane *q, const vs_plane *r, vs_
       int u = (i + 1) % 3, v = (i + 2) % 3;
       vs_i128 cross = (vs_i128)x->n[u] * y->n[v] - (vs_i128)x->n[v] * y->n[u];
       add_product(out->x[i], s[j]->d, cross);
-      if (j == 0) add_product(out->w, p->n[i], cross); /* the denominator of the intersection of three planes is W = n_p
-                                                        * . (n_q x n_r) */
+      if (j == 0) add_product(out->w, p->n[i], cross); /* computes the denominator W = n_p . (n_q x n_r) of the point
+                                                        * where three planes with these normals intersect */
     }
   }
   int sign = wide_sign(out->w, VS_LIMBS);

@@ -46,8 +46,9 @@ typedef struct {
 
 typedef struct {
   int64_t fixed[3];
-  uint32_t big; /* VS_POINT_EXACT if the fixed-point numbers are the exact coordinates; otherwise the index of the exact
-                 * coordinates in the view's list `big`, or in its list `more` if the bit VS_POINT_MORE is set */
+  uint32_t big; /* VS_POINT_EXACT if the fixed-point numbers are exact; otherwise the index of the point's exact
+                 * coordinates in the lists of vs_points_view: in `more` if the bit VS_POINT_MORE is set, else in
+                 * `big` */
   uint32_t next; /* next point with the same hash, only in the tables that arrange_planes.c makes for each plane */
 } vs_point;
 

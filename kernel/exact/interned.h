@@ -8,9 +8,8 @@
 
 #define VS_NONE UINT32_MAX
 
-/* A slot of a hash table with open addressing, at most three quarters full. The upper bits of the stored hash select
- * the slot. Therefore the next larger table has its items in the same order. Most different items have different stored
- * hashes, so they need not be compared. */
+/* A slot of a hash table with open addressing, which is at most three quarters full. The upper bits of the stored hash
+ * select the slot, so a larger table keeps its items in the same order. */
 typedef struct { uint32_t tag, item; } vs_slot; /* tag: upper half of the item's hash; item: number of the item, or
                                                  * VS_NONE if the slot is free */
 typedef struct {

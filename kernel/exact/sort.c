@@ -25,8 +25,8 @@ void vs_sort_keyed(vs_keyed *at, vs_keyed *scratch, size_t count) {
       memcpy(scratch, at + low, width * sizeof *at);
       size_t i = 0, j = middle, out = low;
       while (i < width && j < high) {
-        int second = at[j].key < scratch[i].key; /* This comparison causes no branch, because the processor could not
-                                                  * predict it. */
+        int second = at[j].key < scratch[i].key; /* This comparison is stored as a number instead of causing a branch,
+                                                  * because the processor could not predict the branch. */
         const vs_keyed *from = second ? &at[j] : &scratch[i];
         at[out++] = *from;
         j += (size_t)second;

@@ -9,7 +9,7 @@
 
 typedef struct { int32_t min[3], max[3]; } vs_bvh_box;
 
-/* The operator & instead of && avoids branches, which the processor could not predict. */
+/* combines the comparisons with & instead of &&, because the processor could not predict the branches of && */
 static inline bool vs_box_meet(const vs_bvh_box *a, const vs_bvh_box *b) {
   return (a->min[0] <= b->max[0]) & (b->min[0] <= a->max[0]) & (a->min[1] <= b->max[1]) & (b->min[1] <= a->max[1]) &
          (a->min[2] <= b->max[2]) & (b->min[2] <= a->max[2]);
@@ -26,8 +26,8 @@ static inline void vs_pack_put(vs_pack *p, uint32_t lane, const vs_bvh_box *b) {
   VS_ASSERT(lane < 4);
   for (int j = 0; j < 3; j++) p->min[j][lane] = b->min[j], p->max[j][lane] = b->max[j];
 }
-/* vs_pack_meeting and vs_pack_holding test the four boxes of p against the box b. Lane i of the result has all bits set
- * if the test is true for box i, and no bit otherwise. */
+/* The functions vs_pack_meeting and vs_pack_holding test the four boxes of a pack p against one box b. Lane i of the
+ * result has all bits set if the test is true for box i, and no bit otherwise. */
 /* Tests which boxes of p intersect or touch b. The test is negated, because processors have these comparisons. */
 static inline vs_lanes vs_pack_meeting(const vs_pack *p, const vs_bvh_box *b) {
   return ~((p->min[0] > b->max[0]) | (p->max[0] < b->min[0]) | (p->min[1] > b->max[1]) | (p->max[1] < b->min[1]) |
@@ -56,8 +56,8 @@ typedef struct {
                              * each build, which resets it to NULL. */
   uint32_t *order;          /* order[i]: number of the item at position i of the Morton order */
   vs_pack *packs;
-  vs_lanes *family;         /* For each item, its family. In higher levels: the family of all items below a lane of a
-                             * pack. -1: no family, or several. Empty if there are no families. */
+  vs_lanes *family;         /* family of each item; in higher levels, the family of all items below a lane of a pack;
+                             * -1: no family, or several. The list is empty if there are no families. */
   size_t order_room, pack_room, family_room;
   uint32_t count, level_count, first[18]; /* count: number of items; level_count: number of levels; first[l]: index of
                                            * the first pack of level l */

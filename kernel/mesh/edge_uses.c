@@ -8,8 +8,8 @@
 #include "kernel/threads.h"
 
 enum { CHUNK = 1 << 15, BLOCK = 256, LEAST = 10 /* CHUNK: number of items whose edges a task distributes; BLOCK: number
-                                                 * of items whose edges are read at once; LEAST: a range has at least 1
-                                                 * << LEAST points */, RANGES = 256 };
+                                                 * of items whose edges are read at once; 1 << LEAST: least number of
+                                                 * points of a range, which one task sorts */, RANGES = 256 };
 
 typedef struct { uint32_t low, high, item; } loose;
 

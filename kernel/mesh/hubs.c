@@ -206,8 +206,7 @@ static bool within(const cones *c, const cone *w, vs_vec3 place) {
          under(c, w, from + 1, x) && under(c, w, from + 2, x);
 }
 
-/* Returns true if all triangles around the tip of cone b lie inside cone a. The tip of b may lie on the axis of a,
- * where no angle is known, so it is tested against every triangle of a. */
+/* Returns true if all triangles around the tip of cone b lie inside cone a. */
 static bool holds(const cones *c, const cone *a, const cone *b) {
   vs_vec3 x = vs_v3_sub(b->hub, a->hub);
   if (!a->convex) return false;
@@ -218,8 +217,8 @@ static bool holds(const cones *c, const cone *a, const cone *b) {
   return true;
 }
 
-/* Makes one family of hubs (vertices of very many triangles) whose triangles lie within each other's cones. The family
- * has the number of its first hub. Triangles of one family need no test against each other. */
+/* Unites hubs (vertices of very many triangles) whose triangles lie within each other's cones to families. Triangles of
+ * one family need no test against each other. A family has the number of its first hub. */
 static bool join_nested(vs_kernel *k, const search *s, vs_hubs *out) {
   size_t count = out->corners.count;
   cones c = { .cones = { 0 } };

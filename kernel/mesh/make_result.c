@@ -150,8 +150,8 @@ static bool drop_some_corners(vs_kernel *k, void *context, size_t chunk) {
       if (flat || w->stays.at[p] || !are_two(w, w->edges.at[2 * p])) continue;
       w->bent.at[p] = 1;
     }
-    if (flat) { /* if all faces beside the two edges lie in a single plane, the edges may still have different
-                 * directions */
+    if (flat) { /* The faces beside the two edges all lie in one plane, so the edges may still have different
+                 * directions. */
       const vs_plane *plane = &c->planes.all.at[c->faces.at[a->face].plane];
       if (vs_orient2d(vs_points_of(&c->points), vs_result_other_end(a, (uint32_t)p), (uint32_t)p,
                       vs_result_other_end(b, (uint32_t)p), plane->u, plane->v) != 0)
@@ -396,8 +396,8 @@ static bool write(vs_result_state *w, vs_mesh *out) {
   size_t points = w->c->points.all.count, corners = 0;
   size_t limit = w->k->options ? w->k->options->max_triangles : 0;
   for (size_t p = 0; p < points; p++) corners += w->degree.at[p] % 4 != 0;
-  size_t about = limit && limit < 2 * corners ? limit : 2 * corners; /* estimate of the number of triangles, two for
-                                                                      * each corner, by Euler's formula for a sphere */
+  size_t about = limit && limit < 2 * corners ? limit : 2 * corners; /* estimated number of triangles: about two for
+                                                                      * each corner, as on a sphere (Euler's formula) */
   if (!make_chunks(w) || !reserve(w, out, out->triangle_count + about) ||
       !VS_ROOM(w->k, w->looks.at, w->looks.room, about + 1) || !VS_ROOM(w->k, w->out.at, w->out.room, points + 1) ||
       !VS_ROOM(w->k, w->points.at, w->points.room, points + 1))

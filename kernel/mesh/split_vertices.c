@@ -30,8 +30,8 @@ typedef struct {
   VS_LIST(crowded) crowded;
   VS_LIST(uint32_t) twins;
   VS_LIST(_Atomic uint32_t) lead; /* lead[v]: one of the triangle corners (3 * triangle + j) at vertex v */
-  _Atomic size_t seen;         /* number of triangle corners in the fans that contain the corners in `lead`; if it is
-                                * the number of all corners, no vertex must be split */
+  _Atomic size_t seen;         /* number of triangle corners in the fans that contain the corners in `lead`, one fan for
+                                * each vertex; if it is the number of all corners, no vertex must be split */
   VS_LIST(uint32_t) to;        /* to[c]: vertex of triangle corner c after the split, counted from first_vertex */
   VS_LIST(uint32_t) copied;    /* copied[i]: vertex whose position the new vertex i copies */
   VS_LIST(uint8_t) taken;

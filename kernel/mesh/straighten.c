@@ -42,9 +42,9 @@ typedef struct {
 
 typedef struct {
   uint32_t p, q, edge, keys[2], sheets[2]; /* A cut from point p to point q, without the corners between them (bends),
-                                            * which are dropped. Its first edge, at p, is `edge`. On its two sides are
-                                            * faces with the representative planes `keys`, in the sheets `sheets`
-                                            * (planar facets that the grid has split). */
+                                            * which are dropped. edge: its first edge; keys: representative planes of
+                                            * the faces on its two sides; sheets: sheets (planar facets that the grid
+                                            * has split) of these faces. */
   double wide;
 } cut;
 typedef struct { double at; uint32_t point; } placed;
@@ -516,9 +516,9 @@ bool vs_sheets_check(vs_result_state *w, bool *again) {
   if (!vs_kernel_report(w->k, 0.9)) return false;
   w->c->straightened = dropped;
   if (!check_lines(w, &bends)) return false;
-  if (bends != dropped) vs_sheets_give_up(w); /* If the lines have fewer bends than corners were dropped, the remaining
-                                               * dropped corners form closed borders. These are no cuts, so all merging
-                                               * is given up. */
+  if (bends != dropped) vs_sheets_give_up(w); /* The lines between corners that stay have fewer bends than corners were
+                                               * dropped. The other dropped corners thus form closed borders without a
+                                               * corner that stays, so all merging of faces is given up. */
   *again = give_up_idle(w) || s->kept;
   if (*again) return true; /* The cuts change in the next round. Therefore the bands around them are checked in that
                             * round. */

@@ -52,8 +52,8 @@ static vs_triangle_meeting flat_segment(const vs_vec3 t[3], vs_vec3 p, vs_vec3 q
     left += turn > 0;
     right += turn < 0;
   }
-  for (int i = 0; i < 3; i++) { /* Both ends of the segment are outside the triangle. The segment may still cross the
-                                 * triangle, or touch it at a corner. */
+  for (int i = 0; i < 3; i++) { /* Both ends of the segment are outside the triangle, but the segment may still cross it
+                                 * or touch its corner. */
     vs_vec3 a = t[i], b = t[(i + 1) % 3];
     int ap = vs_doubles_turn(axis, a, b, p), aq = vs_doubles_turn(axis, a, b, q);
     if (ap * aq <= 0 && (ap || aq) && vs_doubles_turn(axis, p, q, a) * vs_doubles_turn(axis, p, q, b) <= 0)

@@ -4,10 +4,9 @@
 
 #include "kernel/round/rounding_state.h"
 
-/* Near intersecting triangles (s->near_met), unites corners within `units` units of the last place of each other, and
- * removes triangles lower than this. If `all` is false, changes only triangles whose direction rounding changes. The
- * mesh stays closed by position, but not by its vertex numbers, so the format must store only positions. *count: number
- * of changes. Returns false when memory is out. */
+/* Near intersecting triangles, unites corners within `units` units of the last place of each other, and removes
+ * triangles lower than this. all: false: only triangles whose direction rounding changes. *count: number of changes.
+ * Returns false when memory is out. */
 bool vs_rounding_contract(vs_rounding *s, double units, bool all, vs_rounded *out, size_t *count);
 
 #endif

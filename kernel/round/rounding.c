@@ -199,7 +199,8 @@ static bool sort_storeys(rounding *s) {
   return vs_kernel_report(s->k, 1);
 }
 
-/* `axis` must be 0, 1 or 2. */
+/* Returns the index of the first storey (plane of triangles across an axis) at `value` or above. `axis` must be 0, 1 or
+ * 2. */
 size_t vs_rounding_storey(const vs_rounding *s, int axis, double value) {
   vs_storey sought = { value, axis };
   size_t low = 0, high = s->storeys.count;
@@ -542,8 +543,8 @@ static bool round_mesh(vs_rounding *s, vs_rounded *out) {
   ok = ok && vs_rounding_count_met(s, out);
   if (ok && out->met_before > before) before = out->met_before;
   if (ok) squeeze(s);
-  /* Each round contracts the surface more coarsely. From the third round on, it contracts all triangles near
-   * intersections. The rounds continue as long as the number of intersecting triangles decreases. */
+  /* Each of the first three rounds unites corners at larger distances than the round before. The rounds continue as
+   * long as the number of intersecting triangles decreases. */
   for (int round = 0; ok && s->places && out->met && round < CONTRACTIONS; round++) {
     enum { ALL = 2, MANY = 10000, PART = 16 };
     if (out->met > MANY && out->met > m->triangle_count / PART) break;

@@ -7,11 +7,9 @@
 #include "kernel/problem.h"
 #include "kernel/round/rounded.h"
 
-/* Collapses edges of less than two units of the last place, if the surface stays a manifold and no triangle turns over.
- * Flips the longest edges of triangles lower than two units. The repair takes at most three rounds. The mesh m is
- * closed and manifold by its vertex numbers, and remains so. With VS_NUMBERS_LOOSE it only needs to be closed by
- * position. Its corners stay doubles: the writer of the format rounds them. options and error may be NULL. Returns
- * false if memory is out or the caller interrupts; m is then unusable. */
+/* Removes edges that are shorter than two units of the last place, and triangles that are lower, if the surface stays a
+ * manifold. The mesh m is closed and manifold by its vertex numbers; with VS_NUMBERS_LOOSE, closed by position. options
+ * and error may be NULL. Returns false if memory is out or the caller interrupts; m is then unusable. */
 bool vs_mesh_round(vs_mesh *m, vs_numbers numbers, const vs_kernel_options *options, vs_rounded *out,
                     vs_kernel_error *error);
 

@@ -35,9 +35,9 @@ typedef struct {
   VS_LIST(uint8_t) listed; /* listed[t]: 1 if triangle t is in `look`; 2 if it is counted among the intersecting
                             * triangles */
   VS_LIST(uint8_t)
-  changed; /* changed[t]: bits of triangle t. VS_CHANGED: the repair has given it other corners than in the exact
-            * result. VS_SUSPECT: it is beside a triangle that may have turned over, or where the surface touches
-            * itself. VS_SEEN: see below. */
+  changed; /* changed[t]: marks of triangle t. VS_CHANGED: the repair has given it other corners. VS_SUSPECT: it is
+            * beside a triangle that may have turned over, or where the surface touches itself. VS_SEEN: a search for
+            * intersections has tested it since then. */
   bool searched;           /* true if self_contacts.c has tested all pairs of triangles once */
   vs_shells shells;        /* shells (connected parts) of the mesh, computed when needed; they stay valid, because the
                             * collapse of an edge does not connect two shells */

@@ -70,8 +70,8 @@ typedef struct {
                                   * triangles */
   bool busy;                     /* true for a run that is not perpendicular to an axis, if it crosses or nearly touches
                                   * a plane that contains runs perpendicular to an axis */
-  bool anew;                     /* true if this run (triangles tested together) must be tested against all others,
-                                  * because its triangle has changed (see is_anew) */
+  bool anew;                     /* true if the run (triangles tested together) must be tested against all others,
+                                  * because its only triangle has changed */
   uint8_t level;                 /* axis to which the run is perpendicular: 0 for x, 1 for y, 2 for z; all its corners
                                   * then have the coordinate `value` */
   /* corner of very many triangles that all triangles of the run share, and around which no test is needed (hubs.h);
@@ -668,8 +668,8 @@ static bool mark_around(vs_rounding *s) {
 
 enum { BLOCKS = 256, QUERIES = 1024 };
 
-/* Number of tasks that test pairs of runs of which neither is perpendicular to an axis. These tasks come first. The
- * later tasks test runs perpendicular to an axis against the runs in `busy`. */
+/* Returns the number of tasks that test pairs of runs (groups of triangles) that are not perpendicular to an axis. The
+ * later tasks test the runs that are perpendicular to an axis. */
 static size_t open_tasks(const search *c) { return ((size_t)vs_bvh_blocks(&c->bvh) + BLOCKS - 1) / BLOCKS; }
 
 static bool look(vs_kernel *k, void *context, size_t index) {

@@ -71,8 +71,8 @@ static bool fits(star *of, vs_vec3 p, vs_vec3 q, vs_vec3 r) {
   return x > of->least && y > of->least && z > of->least;
 }
 
-/* Excludes shells whose boxes are closer than the margin to another shell's box. Boxes that are farther apart do not
- * touch in the tree of boxes, which has rounded coordinates, either. */
+/* Excludes shells (connected parts of the mesh) whose boxes are closer than the margin to another shell's box. Boxes in
+ * the tree have coordinates rounded outwards. */
 static bool part(vs_rounding *s, star *all, uint32_t count, double margin) {
   VS_LIST(vs_bvh_box) boxes = { 0 };
   vs_bvh bvh = { 0 };

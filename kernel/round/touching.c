@@ -93,8 +93,9 @@ static bool look_around(vs_rounding *s, const level_corner *at, size_t count) {
       if (down * (count - down) <= MANY && !overlap(s, at[i].triangle, at[j].triangle)) continue;
       s->changed.at[at[i].triangle] = s->changed.at[at[j].triangle] = VS_SUSPECT;
       if (!vs_kernel_poll(s->k, 1)) return false;
-      if (down * (count - down) > MANY && i) break; /* there are too many pairs for a test, and the first pass has
-                                                     * marked all triangles that face up */
+      if (down * (count - down) > MANY && i) break; /* there are too many pairs for a test: the first pass of the outer
+                                                     * loop has marked all triangles that face up, and each later pass
+                                                     * marks only its own triangle */
     }
   return true;
 }
