@@ -19,8 +19,8 @@
  * costs the grid at most 6 of its 32 bits. */
 static const double FAR = 64;
 
-/* An edge and its two vertices. number: in cut_edges, the new vertex where the cutting plane cuts the edge; in
- * close_border, 1 if the edge leads from `low` to `high`, -1 if from `high` to `low`. */
+/* An edge and its two vertices. In cut_edges, `number` is the new vertex where the cutting plane cuts the edge. In
+ * close_border, it is 1 if the edge leads from `low` to `high`, else -1. */
 typedef struct { uint32_t low, high; int32_t number; } edge;
 typedef struct {
   vs_kernel *k;

@@ -232,7 +232,7 @@ static inline bool vs_too_many(const vs_cluster *c, size_t cuts) {
 }
 
 /* Returns true if leaves should be united two by two first, because too many crossings of cuts are hidden inside the
- * union. cuts: number of cuts; crossed: number of their crossings; hidden: number of crossings that are hidden. */
+ * union. The number of cuts is `cuts`; `crossed` counts their crossings, and `hidden` the hidden crossings. */
 static inline bool vs_too_hidden(const vs_cluster *c, size_t cuts, size_t crossed, size_t hidden) {
   enum { EACH = 6, LEAST = 20000, SHOWN = 8 };
   return vs_too_many(c, crossed / SHOWN) || (c->crowd > 2 && !c->layered && hidden > EACH * cuts + LEAST &&

@@ -10,8 +10,8 @@
 /* The leaves of a cluster: an array with their numbers in the problem, which the caller owns. */
 typedef struct { const uint32_t *at; uint32_t count; } vs_group;
 
-/* A cluster that equals no earlier cluster. Its key consists of the `length` elements of the array `keys` from index
- * `key` on. `next`: index of the next such cluster with the same place in the hash table. */
+/* A cluster that equals no earlier cluster. Its key begins at the index `key` of the array `keys` and has `length`
+ * elements. `next`: index of the next such cluster with the same place in the hash table. */
 typedef struct { uint64_t hash; size_t key, length; vs_group leaves; uint32_t next; } vs_original;
 
 /* Result of the search for an earlier cluster of which a cluster is a copy. */

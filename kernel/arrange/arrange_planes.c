@@ -27,8 +27,8 @@ typedef struct {
   uint32_t p, q;
   uint32_t leaf;   /* For a boundary edge of a facet: number of the leaf (placed mesh) that contains the facet; the
                     * facet is to the left of p->q. For a cut through a facet: VS_NONE. */
-  /* Number of a second plane that contains the segment; or VS_NONE: the segment is an edge between two vertices of the
-   * input; or VS_LINE + i: the segment is a part of the edge lines[i] of the cluster. */
+  /* A number below VS_LINE: number of a second plane that contains the segment. VS_NONE: the segment is an edge between
+   * two vertices of the input. VS_LINE + i: it is a part of the edge lines[i] of the cluster. */
   uint32_t side;
   uint8_t axis;    /* coordinate axis (0, 1 or 2) along which the ends p and q are far apart */
 } segment;

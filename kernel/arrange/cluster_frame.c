@@ -17,8 +17,9 @@
 
 enum { CANDIDATES = 64 };
 
-/* A possible frame: directions r, their inverse `back`, and the length `unit` of a step along each axis. votes: number
- * of leaves with this frame; plates: total area of the thin plates whose faces lie on its grid. */
+/* A possible frame: directions r, their inverse `back`, and the length `unit` of a step along each axis. The number
+ * `votes` counts the leaves with this frame; `plates` is the total area of the thin plates whose faces lie on its
+ * grid. */
 typedef struct { double r[3][3], back[3][3], unit[3]; double plates; uint32_t votes; } candidate;
 
 /* Splits the linear part of a placement into the lengths of its columns (scale) and their directions (r). Returns false

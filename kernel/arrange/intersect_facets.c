@@ -33,8 +33,8 @@ typedef struct {
   uint32_t id;   /* point number of the event, or FRESH plus an index in `crossings` for a new point */
   uint8_t first, exact; /* first: 1 if the event lies on the outline of the first facet of the pair, 0 for the second;
                          * exact: 1 if the event's fixed-point numbers are exact */
-  uint8_t turns; /* bits UP and DOWN: UP is set if the line of the two planes, moved up a little, enters or leaves the
-                  * facet at this event; DOWN is set if it does so when moved down */
+  uint8_t turns; /* Bit UP: the line of the two planes, moved up a little, enters or leaves the facet at this event. Bit
+                  * DOWN: it does so when moved down. */
 } event;
 
 /* Memory that one thread reuses for all its pairs of facets. */

@@ -42,9 +42,9 @@ typedef struct {
 
 typedef struct {
   uint32_t p, q, edge, keys[2], sheets[2]; /* A cut from point p to point q, without the corners between them (bends),
-                                            * which are dropped. edge: its first edge; keys: representative planes of
-                                            * the faces on its two sides; sheets: sheets (planar facets that the grid
-                                            * has split) of these faces. */
+                                            * which are dropped. Its first edge is `edge`. On its two sides are faces
+                                            * with the representative planes `keys`, in the sheets `sheets` (planar
+                                            * facets that the grid has split). */
   double wide;
 } cut;
 typedef struct { double at; uint32_t point; } placed;
