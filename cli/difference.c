@@ -156,7 +156,7 @@ static void print_counts(const vs_comparison *found) {
   puts(any ? "" : "parts: none");
 }
 
-/* Writes the text before the parts: only now, since the comparison must have succeeded first. */
+/* Writes the text before the parts. Called only when the comparison of the parts has succeeded. */
 static void begin(report *r) {
   const vs_comparison *f = &r->found;
   if (r->begun) return;
@@ -247,7 +247,7 @@ static bool same_bounds(const vs_summary *a, const vs_summary *b) {
   return true;
 }
 
-/* Writes the text after the parts. */
+/* Writes the rest of the report, which follows the list of parts. */
 static void finish(report *r, bool parts, bool bounds, bool same) {
   const vs_comparison *f = &r->found;
   if (!r->json) {

@@ -25,8 +25,12 @@ cli_data cli_data_nth(const cli_data_reader *r, cli_data array, size_t nth);
 const char *cli_data_text(const cli_data_reader *r, cli_data value, const char *path, size_t *length);
 /* Returns the whole number at the path, or `otherwise`. */
 long long cli_data_number(const cli_data_reader *r, cli_data value, const char *path, long long otherwise);
-double cli_data_real(const cli_data_reader *r, cli_data value, const char *path, double otherwise); /* any number */
-bool cli_data_true(const cli_data_reader *r, cli_data value, const char *path); /* returns whether `true` is there */
+double cli_data_real(const cli_data_reader *r, cli_data value, const char *path, double otherwise); /* returns the
+                                                                                                     * number at the
+                                                                                                     * path, which need
+                                                                                                     * not be whole */
+bool cli_data_true(const cli_data_reader *r, cli_data value, const char *path); /* returns whether the value at the path
+                                                                                 * is `true` */
 /* Returns true, and sets *out, if the value is a number. */
 bool cli_data_is_number(const cli_data_reader *r, cli_data value, double *out);
 /* Returns true if the value is true or false, and sets *out. */
@@ -37,9 +41,9 @@ void cli_data_echo(const cli_data_reader *r, cli_data value, FILE *to);
 bool cli_data_put_datum(const cli_data_reader *r, cli_data value, FILE *to);
 bool cli_data_same(const cli_data_reader *r, cli_data a, cli_data b); /* compares numbers and texts */
 
-/* The members of an object, in order. */
+/* A member of a JSON object. cli_data_first returns the first. */
 typedef void *cli_data_member;
-cli_data_member cli_data_first(const cli_data_reader *r, cli_data object); /* returns NULL if there is none */
+cli_data_member cli_data_first(const cli_data_reader *r, cli_data object); /* returns NULL if the object is empty */
 cli_data_member cli_data_next(const cli_data_reader *r, cli_data object, cli_data_member m);
 const char *cli_data_key(const cli_data_reader *r, cli_data_member m);
 cli_data cli_data_value(const cli_data_reader *r, cli_data_member m);

@@ -38,8 +38,9 @@ bool cli_limits_watch(cli_watch *w);
 /* Ends the watching thread, if there is one. Call it before *w or its name is freed. */
 void cli_watch_close(cli_watch *w);
 
-/* cli_watch_begin is called before, and cli_watch_end after, each library call that has a time limit. */
+/* Begins to watch a library call that has a time limit. cli_watch_end ends this. */
 void cli_watch_begin(cli_watch *w, bool evaluating);
+/* Ends the watch of a library call. */
 void cli_watch_end(cli_watch *w);
 /* Records that the library polls now. vs_host.poll calls it. */
 void cli_watch_poll(cli_watch *w);

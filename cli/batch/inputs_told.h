@@ -9,7 +9,7 @@
 /* Creates the file for names, which processes started from now on inherit; the caller closes it. Returns -1 if the
  * system refuses; the runs then send no names. */
 int cli_inputs_begin(void);
-/* Records in s the files whose names the runs have sent so far. */
+/* Records in s, as files that were read, the files whose names the runs have sent so far. */
 void cli_inputs_hear(int list, vs_scheme *s);
 
 /* Sends the text of --set and the parameter of --frames to a run; either may be NULL. Call it in the run's process
@@ -18,8 +18,8 @@ void cli_inputs_say_typed(const char *set, const char *frames);
 
 /* In a run: writes the option that set the parameter, as typed: "--set r=4", "--frames" or "-D r". */
 void cli_inputs_typed(const char *parameter, char *to, size_t room);
-/* In a run: returns the file for names of the batch that started it, or -1. Call it before --untrusted empties the
- * environment. */
+/* In a run: returns the descriptor of the file in which the batch receives names of files, or -1 if no batch started
+ * the run. Call it before --untrusted empties the environment. */
 int cli_inputs_find(void);
 /* In a run: sends the names of the files that the interpreter has read, unless list is -1. */
 void cli_inputs_tell(int list, const vs_scheme *s);

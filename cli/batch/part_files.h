@@ -8,7 +8,8 @@
 #include <stdio.h>
 
 #define CLI_HASH_BEGIN UINT64_C(0xcbf29ce484222325)
-/* Returns the hash of the bytes (FNV-1a), after those whose hash is h; CLI_HASH_BEGIN is the hash of none. */
+/* Returns the hash of the bytes (FNV-1a), continued from the hash h of the bytes before. h is CLI_HASH_BEGIN at the
+ * first bytes. */
 uint64_t cli_part_hash(uint64_t h, const void *bytes, size_t count);
 bool cli_part_hash_file(const char *path, uint64_t *out); /* returns false if the file cannot be read */
 

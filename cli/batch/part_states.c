@@ -11,7 +11,8 @@
 enum { PATH_ROOM = 4096 };
 
 cli_part_state cli_part_state_of(int code) {
-  bool same = code == VS_OUTCOME_MODEL || code == VS_OUTCOME_MACHINE; /* the next run would end in the same way */
+  bool same = code == VS_OUTCOME_MODEL || code == VS_OUTCOME_MACHINE; /* an error of the model or the machine: another
+                                                                       * run would fail in the same way */
   return code == VS_OUTCOME_DONE ? PART_DONE : same ? PART_FAILED : PART_KILLED;
 }
 
@@ -41,23 +42,23 @@ bool cli_part_folder(const cli_options *o, char *out, size_t room) {
 
 /* ---- the manifests of vs render ---- */
 
-/* The lines about a part in one manifest: whether there is one, whether a picture is missing, and the exit code of one
- * that failed. */
+/* The lines about a part in one manifest. any: whether there is a line; missing: whether a picture is missing; code:
+ * the exit code of a picture that failed, or 0. */
 typedef struct { bool any, missing; int code; } seen;
 
 typedef struct {
   cli_part_states *out;
-  seen *at;            /* for each part, its lines in the present manifest */
+  seen *at;            /* for each part, its lines in the manifest that is being read */
   size_t made;         /* number of pictures whose seconds are in out->seconds */
 } reading;
 
-/* Returns the whole number after the name in the line, or `otherwise`. */
+/* Returns the whole number after the name in the line, or `otherwise` if there is none. */
 static long number_after(const char *line, const char *name, long otherwise) {
   const char *at = strstr(line, name);
   return at ? strtol(at + strlen(name), NULL, 10) : otherwise;
 }
 
-/* Takes a line of a manifest: {"file": ..., "part": 7, ..., "seconds": 1.5, "outcome": "made"}. */
+/* Reads a line of a manifest: {"file": ..., "part": 7, ..., "seconds": 1.5, "outcome": "made"}. */
 static void take_line(reading *r, const char *line) {
   static const char before[] = ", \"outcome\": \"", time[] = ", \"seconds\": ";
   long part = number_after(line, ", \"part\": ", 0);
@@ -73,7 +74,8 @@ static void take_line(reading *r, const char *line) {
     r->out->seconds += strtod(seconds + strlen(time), NULL), r->made++;
 }
 
-/* Takes a manifest. A part that one manifest lists as done is done, though another lists it as missing or failed. */
+/* Reads a manifest. A part that one manifest lists as done is done, even if another manifest lists it as missing or
+ * failed. */
 static void take_file(reading *r, const char *path) {
   cli_part_states *out = r->out;
   FILE *f = fopen(path, "rb");
@@ -91,7 +93,7 @@ static void take_file(reading *r, const char *path) {
   }
 }
 
-/* Takes the manifests of ranges, and without any of these the manifest of all pictures. */
+/* Reads the manifests of ranges (--only) in the folder. If there are none, reads the manifest of all pictures. */
 static void take_folder(reading *r, const char *folder) {
   char path[PATH_ROOM];
   long from, to;

@@ -5,8 +5,8 @@
 
 #include "cli/options.h"
 
-/* PART_KILLED: a signal, a worker or a full disk has ended the run, so that another may succeed. PART_FAILED: the model
- * or a limit has, so that another would not. */
+/* PART_KILLED: a signal, a worker or a full disk has ended the run, which may succeed if it is repeated. PART_FAILED:
+ * the model or a limit has ended it, so a repeated run would fail. */
 typedef enum { PART_MISSING, PART_DONE, PART_KILLED, PART_FAILED } cli_part_state;
 typedef struct cli_part_states {
   cli_part_state *at; size_t count; /* the states of the parts 1 to count, allocated */
@@ -19,8 +19,8 @@ cli_part_state cli_part_state_of(int code);
 /* Returns the number of parts in this state. */
 size_t cli_part_states_count(const cli_part_states *p, cli_part_state state);
 
-/* Sets *out, whose member `at` the caller frees, by the manifests of `vs render` in the folder. Returns false after a
- * message. */
+/* Reads the manifests of `vs render` in the folder, and sets *out to the states of its parts. The caller frees out->at.
+ * Returns false after a message. */
 bool cli_part_states_read(const cli_options *o, const char *folder, cli_part_states *out);
 
 /* Writes the path of the folder of a batch with --on, without the slash at its end. Returns false, after a message, if

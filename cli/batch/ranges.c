@@ -37,7 +37,7 @@ bool cli_range_manifest(const char *manifest, long from, long to, char *out, siz
   return n > 0 && (size_t)n < room;
 }
 
-/* Calls `each` for the path of each manifest of a range, until it returns false. Returns false if one did. */
+/* Calls `each` for the path of each manifest of a range, until a call returns false. Returns false if a call did. */
 static bool each_range(const char *manifest, bool (*each)(void *context, const char *path), void *context) {
   const char *slash = strrchr(manifest, '/'), *name = slash ? slash + 1 : manifest;
   size_t stem = stem_of(name);

@@ -52,7 +52,7 @@ typedef struct {
   long frame;              /* number of the frame from 1, or 0 without --frames; the frames of a film are consecutive in
                             * the batch */
   size_t tile;             /* number of the tile from 1, top first, or 0: the file is the whole picture */
-  char *whole;             /* of the first tile: the file of the picture that is joined from the tiles; otherwise
+  char *whole;             /* in the first tile of a picture: the file into which its tiles are joined; otherwise
                             * NULL */
   char crop[48];           /* the value of --crop for a tile */
   pid_t process;
@@ -374,7 +374,7 @@ static bool write_whole(const batch *b, const char *path, void (*fill)(const bat
 static void fill_manifest(const batch *b, FILE *to) {
   fprintf(to, "{\"vs\": \"%s\", \"pictures\": [\n", vs_version());
   for (size_t i = 0; i < b->count; i++) {
-    /* For a picture that this run has not tried, copies the line of the old manifest. */
+    /* copies the old manifest's line for a picture that this run has not tried */
     size_t length = 0;
     const picture *p = &b->at[i];
     const char *line = p->kept ? p->kept : p->result.fate == NOT_TRIED ? line_of(b, p, &length) : NULL;
@@ -457,7 +457,7 @@ static void hash_output(const batch *b, pid_t process, int from, uint64_t *hash)
   for (bool asked = false;;) {
     struct pollfd ready = {.fd = from, .events = POLLIN};
     if (*b->ended && !asked) asked = true, kill(process, SIGTERM);
-    if (poll(&ready, 1, 200) <= 0) continue; /* a signal may come between the question and the wait */
+    if (poll(&ready, 1, 200) <= 0) continue; /* waits at most 200 ms, because a signal may come just before poll */
     ssize_t n = read(from, part, sizeof part);
     if (n > 0) *hash = cli_part_hash(*hash, part, (size_t)n);
     else if (n == 0 || errno != EINTR) return;
@@ -613,7 +613,7 @@ static void share_processors(batch *b) {
   if (each) snprintf(b->threads, sizeof b->threads, "%ld", each);
 }
 
-/* The function that a process executes for a picture. */
+/* A function that a process of the batch executes for a picture. */
 typedef result picture_work(const batch *b, const picture *p);
 
 static bool start(batch *b, picture *p, picture_work *work) {
@@ -754,9 +754,8 @@ static bool takes_place(const batch *b, const picture *p) {
 }
 
 /* Called if outputs would replace existing files. First runs all models without making pictures, since a model may read
- * the output of another, and only the batch knows the names of its manifest and its sheet. The results are used later,
- * so no model runs more often. Returns false, after a message and before anything is written, if an output is an input
- * of a model. */
+ * an output of another model. The results are used later, so that no model runs twice. Returns false, after a message,
+ * if an output is an input of a model. */
 static bool try_models(batch *b) {
   bool any = (b->manifest_path && !b->manifest_made) || (b->options->sheet && access(b->options->sheet, F_OK) == 0);
   bool ok = true;
@@ -789,7 +788,8 @@ static size_t end_of_tiles(const batch *b, size_t from) {
   return to;
 }
 
-/* Runs each model with tiles once for its scene, which all tiles share. The tiles of a model that fails have failed. */
+/* Runs each model that has tiles once, for the scene that all its tiles share. If the model fails, marks its tiles as
+ * failed. */
 static void share_scenes(batch *b) {
   for (size_t from = 0, to; from < b->count && !*b->ended; from = to) {
     picture *p = &b->at[from];

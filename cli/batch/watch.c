@@ -15,7 +15,7 @@
 #include "cli/batch/inputs_told.h"
 #include "model/store/array.h"
 
-enum { PAUSE = 100000000 /* nanoseconds between two questions */ };
+enum { PAUSE = 100000000 /* nanoseconds between two checks of the files */ };
 
 /* A file, with its state when the run had ended. */
 typedef struct { char *path; struct stat is; bool there; } watched;
@@ -34,7 +34,8 @@ static bool is_after(struct timespec a, struct timespec b) {
 
 /* ---- a run ---- */
 
-/* Runs the words once. Sets *list to the descriptor of the names of files read. Returns the exit code. */
+/* Runs the command once. Sets *list to the descriptor of the file with the names of the files that it read. Returns the
+ * exit code. */
 static int run_once(const volatile sig_atomic_t *ended, char **words, int (*run)(int argc, char **argv), int *list) {
   int status = 0, count = 0;
   pid_t parent = getpid();
@@ -63,8 +64,8 @@ static void forget(watched_list *l) {
   l->count = 0;
 }
 
-/* Fills the list with the files that the run has read, and those of the command line. Returns false if the run has read
- * none, or memory is out. */
+/* Fills the list with the files that the run has read, and the files of the command line. Returns false if the run has
+ * read no file, or memory is out. */
 static bool take_names(const cli_options *o, int list, watched_list *l) {
   vs_scheme *s = vs_new(&o->interpreter);
   const char *name;
@@ -85,9 +86,8 @@ static bool take_names(const cli_options *o, int list, watched_list *l) {
   return any && ok;
 }
 
-/* Waits until a file changes, and then until it stays as it is. A file that was written between `began` and `done`,
- * while the command ran, counts as changed: the run may have read the old text. A file that is missing is about to be
- * written anew. Returns its path, or NULL when the command is to end. */
+/* Waits until a file changes, and then until it no longer changes. A file that was written between `began` and `done`,
+ * while the command ran, counts as changed. Returns its path, or NULL when the command is to end. */
 static const char *await_change(watched_list *l, struct timespec began, struct timespec done,
                                 const volatile sig_atomic_t *ended) {
   struct stat is, next;

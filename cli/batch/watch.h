@@ -6,8 +6,8 @@
 
 #include "cli/options.h"
 
-/* Runs the words, without --watch, in a process that calls `run`; and again after each change of a file that the run
- * has read, until *ended is set. Returns the exit code: that of the run if it has read no file. */
+/* Runs the command without --watch, in a process that calls `run`. Repeats this after each change of a file that the
+ * run has read, until *ended is set. Returns the exit code. */
 int cli_watch_files(const cli_options *o, const volatile sig_atomic_t *ended, char **words,
                     int (*run)(int argc, char **argv));
 

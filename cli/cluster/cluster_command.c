@@ -46,8 +46,8 @@ static bool set_text(job_record *r, const char **to, const char *format, double 
   return (*to = sweep_keep_text(&r->memory, text, strlen(text))) != NULL;
 }
 
-/* Sets limits that were not given: three times the time of a bundle and five minutes, and half as much memory again for
- * each part that runs at a time. */
+/* Sets the limits that the user has not given. Time: three times that of a bundle, plus five minutes. Memory: that of
+ * the measured part, plus half, for each part that runs at a time. */
 static bool set_limits(job_record *r, const job_use *use) {
   bool sweeps = !strcmp(r->command, "sweep");
   double busy = use->seconds > 0 ? use->processor / use->seconds : 1;
@@ -57,8 +57,8 @@ static bool set_limits(job_record *r, const job_use *use) {
   return ok && (*r->memory_limit || set_text(r, &r->memory_limit, "%.0f", ceil(1.5 * use->memory * at_once + 256)));
 }
 
-/* Makes the first part in this process, measures it, and sets the record's limits. Returns false, with the outcome in
- * *code, if the command must end. */
+/* Makes the first part of the batch in this process, measures its time and memory, and sets the record's limits.
+ * Returns false, with the outcome in *code, if the command must end. */
 static bool measure(job_record *r, const cli_options *o, const volatile sig_atomic_t *ended, int *code) {
   job_use use;
   cli_part_states states;
@@ -66,7 +66,8 @@ static bool measure(job_record *r, const cli_options *o, const volatile sig_atom
   *code = r->packed ? job_pack_sample(r, ended, &use) : words ? job_run(words, ended, NULL, &use) : VS_OUTCOME_MACHINE;
   free(words);
   if (*ended) *code = VS_OUTCOME_INTERRUPTED;
-  bool shared = o->frames.count || o->tiles.columns; /* the first frame gives the exposure, and tiles have one model */
+  bool shared = o->frames.count || o->tiles.columns; /* frames share the exposure of the first frame, and tiles share
+                                                      * one model */
   if (*code == VS_OUTCOME_USAGE || *code == VS_OUTCOME_INTERRUPTED) return false;
   if (*code != VS_OUTCOME_DONE && shared) return false;
   if (!r->packed) {
@@ -87,7 +88,7 @@ static vs_outcome run_parallel(job_record *r, const volatile sig_atomic_t *ended
   job_record_path(r, "bundles.sh", script), job_record_path(r, "parallel.log", log);
   snprintf(jobs, sizeof jobs, "%ld", processors > each ? processors / each : 1);
   snprintf(range, sizeof range, "%zu", r->bundle_count);
-  /* exec: parallel replaces the shell, so that it gets the signal that ends the batch, and ends its bundles. */
+  /* exec replaces the shell by GNU parallel, which then receives the signal that ends the batch */
   const char *words[] = {"sh", "-c", "n=$1; shift; exec \"$@\" << END\n$(seq \"$n\")\nEND\n", "sh", range,
                          "parallel", "--will-cite", "--quote", "--jobs", jobs, "--joblog", log, "--termseq",
                          "TERM,5000,KILL", "sh", script, NULL};
@@ -99,12 +100,13 @@ static vs_outcome run_parallel(job_record *r, const volatile sig_atomic_t *ended
   if (code == JOB_NO_PROGRAM)
     return fputs("vs: --on parallel needs GNU parallel: install the package parallel, or use --on local\n", stderr),
            VS_OUTCOME_WORKER;
-  job_run(words, ended, r->quiet ? &said : NULL, NULL); /* its exit code is the number of bundles that failed */
+  job_run(words, ended, r->quiet ? &said : NULL, NULL); /* the exit code of GNU parallel is the number of bundles that
+                                                         * failed */
   free(said);
   return *ended ? VS_OUTCOME_INTERRUPTED : VS_OUTCOME_DONE;
 }
 
-/* ---- joining, and parts that are left ---- */
+/* ---- joining the parts, and repeating missing parts ---- */
 
 static bool bundle_rest(job_record *r, size_t *rest) {
   cli_part_states states;
@@ -126,7 +128,7 @@ bool job_submit_rest(job_record *r, const volatile sig_atomic_t *ended) {
   return true;
 }
 
-/* Joins the parts that are there. Returns the outcome. */
+/* Joins the parts that were made into the result. Returns the outcome. */
 static vs_outcome join_once(job_record *r, const volatile sig_atomic_t *ended) {
   const char **words = job_words_of_all(r, "--join", NULL);
   int code = words ? job_run(words, ended, NULL, NULL) : VS_OUTCOME_MACHINE;

@@ -6,14 +6,13 @@
 
 #include "cli/cluster/job_record.h"
 
-/* Runs, or submits, all parts of the command. here: runs the command in this process. Returns the outcome of the first
- * part that failed, or VS_OUTCOME_DONE; with Slurm, whether the jobs were submitted. */
+/* Runs or submits all parts of the command. The function `here` runs the command in this process. Returns the outcome
+ * of the first part that failed, or VS_OUTCOME_DONE; with Slurm, only whether the jobs were submitted. */
 vs_outcome cli_cluster_command(const cli_options *o, const volatile sig_atomic_t *ended,
                                vs_outcome (*here)(const cli_options *o));
 
-/* Joins the parts, by a process of this program. If parts are missing, or were killed, runs them again by `on` of the
- * record, as long as it has retries. Returns the outcome of the join. r->folder must be seen from the present
- * folder. */
+/* Joins the parts, by a process of this program. Runs parts that are missing or were killed again, while the record has
+ * retries. Returns the outcome. The path r->folder must be valid from the current folder. */
 vs_outcome job_join(job_record *r, const volatile sig_atomic_t *ended);
 /* Submits to Slurm the parts that are missing, or were killed. Returns false after a message. */
 bool job_submit_rest(job_record *r, const volatile sig_atomic_t *ended);

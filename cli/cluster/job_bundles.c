@@ -9,8 +9,10 @@
 #include "cli/cluster/job_pack.h"
 #include "model/store/array.h"
 
-enum { MOST = 1000 /* bundles; Slurm's arrays have 1001 tasks unless a cluster says otherwise */ };
-enum { SHORTEST = 60, LONGEST = 600, SHORTEST_HERE = 2, LONGEST_HERE = 60 /* seconds of a bundle */ };
+enum { MOST = 1000 /* greatest number of bundles, since Slurm accepts arrays of at most 1001 jobs by default */ };
+enum { SHORTEST = 60, LONGEST = 600, SHORTEST_HERE = 2, LONGEST_HERE = 60 /* shortest and longest duration of a bundle
+                                                                           * in seconds, on a cluster and on this
+                                                                           * machine */ };
 
 size_t job_bundle_size(double seconds, size_t parts, bool cluster) {
   double each = seconds > 0.001 ? seconds : 0.001;
@@ -26,7 +28,8 @@ static bool is_to_make(const cli_part_state *states, size_t i) {
   return !states || states[i] == PART_MISSING || states[i] == PART_KILLED;
 }
 
-/* Fills r->bundles, which has room for all parts. A bundle may have `gap` parts in a row that need not be made. */
+/* Sets r->bundles, which has room for all parts, to ranges of the parts to make. A range may contain up to `gap`
+ * consecutive parts that are already made. */
 static void fill(job_record *r, const cli_part_state *states, size_t first, size_t most, size_t gap) {
   r->bundle_count = 0;
   for (size_t i = first; i < r->parts; i++) {
@@ -48,7 +51,8 @@ bool job_bundles_make(job_record *r, const cli_part_state *states, size_t first)
 
 /* ---- words ---- */
 
-/* A node with the pack may lack the record's program. */
+/* Returns the path of vs. A process that runs in a node's copy of the model uses its own program, because the node may
+ * lack the record's program. */
 static const char *program_of(const job_record *r) { return job_is_unpacked() ? "/proc/self/exe" : r->program; }
 
 const char **job_words_of(const job_record *r, const char *range) {
@@ -92,7 +96,7 @@ void job_put_unpack(FILE *to, const job_record *r) {
   fputc('.', to), put_quoted(to, path), fputc('\n', to);
 }
 
-/* Begins a script: moves to the folder of the command, or to the node's copy of it. */
+/* Begins a script with the change to the folder of the command, or to the node's copy of that folder. */
 static void put_folder(FILE *to, const job_record *r) {
   if (r->packed) {
     job_put_unpack(to, r);
@@ -132,7 +136,7 @@ static void put_bundles(FILE *to, const job_record *r) {
 static void put_join(FILE *to, const job_record *r) {
   fputs("#!/bin/sh\n# Written by vs: joins all parts.\n", to);
   put_folder(to, r);
-  if (r->packed) fputs("place\n", to); /* without exec: the shell removes the node's copy at the end */
+  if (r->packed) fputs("place\n", to); /* no exec here, since the shell removes the node's copy at the end */
   else fputs("exec ", to);
   put_program(to, r);
   fputs(" jobs join", to);

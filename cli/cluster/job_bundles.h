@@ -5,24 +5,25 @@
 #include "cli/batch/part_states.h"
 #include "cli/cluster/job_record.h"
 
-/* Returns the number of parts in a bundle, so that it runs for one to ten minutes, or for a few seconds on one machine.
- * seconds: of a part; 0: unknown. */
+/* Returns the number of parts in a bundle, chosen so that a bundle runs for one to ten minutes on a cluster, or for a
+ * few seconds on one machine. seconds: duration of a part, or 0 if unknown. */
 size_t job_bundle_size(double seconds, size_t parts, bool cluster);
-/* Sets the record's bundles: all parts from `first` on that are missing or were killed, or all with states NULL. A
- * bundle has at most r->bundle parts, unless that makes too many bundles. Returns false after a message. */
+/* Divides all parts from `first` on that are missing or were killed into the record's bundles. With states NULL, takes
+ * all parts from `first` on. Returns false after a message. */
 bool job_bundles_make(job_record *r, const cli_part_state *states, size_t first);
-/* Writes jobs/bundles.sh, which makes the bundle of its argument or of Slurm's array, and jobs/join.sh. Returns false
- * after a message. */
+/* Writes jobs/bundles.sh, which makes the bundle whose number is its argument, and jobs/join.sh, which joins the parts.
+ * Returns false after a message. */
 bool job_scripts_write(const job_record *r);
 
-/* Writes the word as a shell reads it, without a blank before it. */
+/* Writes the word with quotes as a shell needs them. */
 void job_put_quoted(FILE *to, const char *word);
-/* Writes the line by which a script of a packed batch begins: the node's own copy of the model. */
+/* Writes the line with which a script of a packed batch begins; the line makes the node's own copy of the model. */
 void job_put_unpack(FILE *to, const job_record *r);
 
-/* The words of a `vs` that makes the parts of the range, for job_run; the caller frees them. */
+/* Returns the command line of a `vs` that makes the parts of the range. job_run runs it; the caller frees the array. */
 const char **job_words_of(const job_record *r, const char *range);
-/* The words of a `vs` that joins all parts, or with `again` of one that makes all parts, with this last option. */
+/* Returns the command line of a `vs` that joins all parts, or with `again` of a `vs` that makes all parts. `option` is
+ * its last word. */
 const char **job_words_of_all(const job_record *r, const char *option, const char *value);
 
 #endif

@@ -44,7 +44,7 @@ static bool store(const job_record *r, const char *path, const char *hash) {
   return ok;
 }
 
-/* Packs a file whose path on the node is `as`, below the node's folder. */
+/* Packs the file `path`, which the node stores at `as` below the node's own folder. */
 static bool pack_as(const pack *p, const char *path, const char *as) {
   char hash[PACKAGE_HASH], why[PACKAGE_WHY];
   if (!package_file_hash(path, hash, why)) return fprintf(stderr, "vs: %s\n", why), false;
@@ -52,7 +52,7 @@ static bool pack_as(const pack *p, const char *path, const char *as) {
   return store(p->record, path, hash);
 }
 
-/* Packs a file; or lists one that is named from the root, and tells about the first of them. */
+/* Packs a file. A file with an absolute path is only listed, with a message for the first such file. */
 static bool pack_file(pack *p, const char *path) {
   char as[2 * JOB_PATH_ROOM], hash[PACKAGE_HASH], why[PACKAGE_WHY];
   struct stat is;
@@ -80,7 +80,7 @@ static bool pack_all(pack *p, const char *path) {
   return fts_close(all), ok;
 }
 
-/* Packs the packages of vs add, which are beside the model. */
+/* Packs the packages that vs add has stored beside the model. */
 static bool pack_packages(pack *p, const char *model) {
   char lock[JOB_PATH_ROOM], folder[JOB_PATH_ROOM];
   const char *slash = strrchr(model, '/');
@@ -96,14 +96,16 @@ static bool pack_given(pack *p, const char *names) {
   return free(copy), ok;
 }
 
-/* Records in s the files that the first part reads, which runs without outputs. */
+/* Runs the first part without outputs, and records in s the files that it reads. */
 static bool learn_inputs(vs_scheme *s, const cli_options *o, vs_outcome (*here)(const cli_options *o)) {
   cli_options local = *o;
   local.trying = local.quiet = true, local.cluster = (cli_cluster){0}, local.only = "1..1";
   if (local.frames.count) local.frames.from = local.frames.to = 1;
   if (local.tiles.columns) local.tiles.from = local.tiles.to = 1;
   local.pairs.from = local.pairs.to = 1;
-  int list = cli_inputs_begin(), told = list >= 0 ? fcntl(list, F_DUPFD_CLOEXEC, 0) : -1; /* the command closes list */
+  int list = cli_inputs_begin(), told = list >= 0 ? fcntl(list, F_DUPFD_CLOEXEC, 0) : -1; /* the command closes `list`,
+                                                                                           * so `told` is a duplicate of
+                                                                                           * it */
   vs_outcome outcome = told >= 0 ? here(&local) : VS_OUTCOME_MACHINE;
   cli_inputs_hear(told, s);
   if (told >= 0) close(told);
@@ -137,7 +139,7 @@ bool job_pack_make(job_record *r, const cli_options *o, vs_outcome (*here)(const
 
 /* ---- scripts ---- */
 
-/* Makes the folders of libraries, whether or not the model reads a file in them. */
+/* Writes commands that make the folders of libraries, whether or not the model reads a file in them. */
 static void put_folders(FILE *to, const job_record *r) {
   for (size_t i = 0; i < r->part_count; i++) {
     const char *word = r->part[i], *folders = NULL;
@@ -233,7 +235,7 @@ bool job_pack_scripts(const job_record *r) {
   return job_record_put(r, "unpack.sh", put_unpack) && job_record_put(r, "sample.sh", put_sample);
 }
 
-/* ---- the sample ---- */
+/* ---- the sample part ---- */
 
 int job_pack_sample(job_record *r, const volatile sig_atomic_t *ended, job_use *use) {
   char script[JOB_PATH_ROOM], path[JOB_PATH_ROOM];

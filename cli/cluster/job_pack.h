@@ -10,19 +10,19 @@
 #include "cli/cluster/job_process.h"
 #include "cli/cluster/job_record.h"
 
-/* Files of nodes: those that were refused, each with the reason. */
+/* The file that lists the nodes that were refused, each with the reason. */
 #define JOB_REFUSED "refused-nodes"
-/* The variable of a process that runs in a node's own folder. */
+/* The environment variable that is set in a process that runs in a node's own copy of the model. */
 #define JOB_PACKED "VS_PACKED"
 
-/* Packs the files that the first part reads, those of --pack=FILE,..., and vs. here: runs the command in this process.
- * Returns false after a message. */
+/* Packs vs, the files that the first part reads, and the files of --pack=FILE,.... The function `here` runs the command
+ * in this process. Returns false after a message. */
 bool job_pack_make(job_record *r, const cli_options *o, vs_outcome (*here)(const cli_options *o));
 /* Writes jobs/unpack.sh, which the scripts of bundles and of the join begin with, and jobs/sample.sh. Returns false
  * after a message. */
 bool job_pack_scripts(const job_record *r);
-/* Makes the sample part from the pack, and keeps the hashes of its files; sets *use, and r->seconds. Returns the exit
- * code. */
+/* Makes one part as a sample from the pack, and keeps the hashes of its files to compare nodes. Sets *use and
+ * r->seconds. Returns the exit code. */
 int job_pack_sample(job_record *r, const volatile sig_atomic_t *ended, job_use *use);
 
 #endif

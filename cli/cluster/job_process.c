@@ -15,11 +15,11 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { KILLED = 137, WAIT = 100 /* milliseconds until a signal is noticed that came between two calls */ };
+enum { KILLED = 137, WAIT = 100 /* milliseconds between two checks for a signal */ };
 
 static double seconds_of(struct timeval t) { return (double)t.tv_sec + 1e-6 * (double)t.tv_usec; }
 
-/* Passes all that comes from the pipe to the stream, until its writers have closed it. */
+/* Copies the pipe's bytes to the stream until all writers have closed the pipe. */
 static void read_all(int from, FILE *to, pid_t process, const volatile sig_atomic_t *ended) {
   char part[4096];
   for (bool asked = false;;) {

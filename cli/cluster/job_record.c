@@ -177,7 +177,7 @@ static bool take_record(job_record *r, const cli_data_reader *d, cli_data t) {
   r->packed = cli_data_true(d, t, "packed");
   r->joined = cli_data_true(d, t, "joined"), r->code = (int)cli_data_number(d, t, "code", 0);
   return r->whole && r->part && read_bundles(r, d, cli_data_at(d, t, "bundles")) && *r->on && *r->command &&
-         r->process > 0; /* kill reads 0 and numbers below it as many processes */
+         r->process > 0; /* kill with 0 or a negative number would send the signal to several processes */
 }
 
 bool job_record_read(job_record *r, const char *folder, bool *found) {

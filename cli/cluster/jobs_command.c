@@ -1,4 +1,4 @@
-/* Implements `vs jobs`. The words of the command are a verb, or none, and folders of results. */
+/* Implements `vs jobs`. The words of the command line are an optional verb, such as cancel, and folders of results. */
 #define _GNU_SOURCE
 #include "cli/cluster/jobs_command.h"
 
@@ -24,19 +24,20 @@ enum { SECONDS_TO_ASK = 2 };
 typedef struct {
   job_record record;
   cli_part_states states;
-  slurm_state jobs;          /* Slurm's jobs, or the process of --on local and parallel as one that runs */
-  size_t done, failed, left; /* left: missing or killed */
-  bool live;                 /* whether something runs or waits */
+  slurm_state jobs;          /* the batch's jobs in Slurm; with --on local or parallel, its process counts as one
+                              * running job */
+  size_t done, failed, left; /* numbers of parts; left: parts that are missing or were killed */
+  bool live;                 /* whether a job of the batch runs or waits */
 } batch;
 
 typedef struct {
   const cli_options *options;
   const volatile sig_atomic_t *ended;
-  char here[JOB_PATH_ROOM];  /* the folder in which vs began */
+  char here[JOB_PATH_ROOM];  /* the folder in which `vs jobs` began */
   bool first;                /* whether no folder was shown yet */
 } run;
 
-/* Reads the state of the batch in the folder. The present folder is then that of its command. Returns false after a
+/* Reads the state of the batch in the folder, and changes to the folder of its command. Returns false after a
  * message. */
 static bool learn(const run *w, const char *folder, batch *b) {
   bool found;
@@ -62,7 +63,7 @@ static void forget(batch *b) {
   job_record_free(&b->record);
 }
 
-/* Returns the seconds until all parts are done, as far as is known, or -1. */
+/* Returns the estimated seconds until all parts are done, or -1 if unknown. */
 static double seconds_left(const batch *b) {
   double each = b->states.seconds > 0 ? b->states.seconds : b->record.seconds;
   size_t at_once = b->jobs.running ? b->jobs.running : 1;
@@ -79,7 +80,8 @@ static void show_time(double seconds) {
   else printf(", about %.1f h left", seconds / 3600);
 }
 
-/* Shows each node whose sample part has other bytes, or that cannot unpack the model, with the reason. */
+/* Prints each node that was refused, with the reason: its sample part had other bytes, or it could not unpack the
+ * model. */
 static void show_refused(const job_record *r) {
   char path[JOB_PATH_ROOM], *line = NULL, *all = NULL;
   size_t room = 0, size = 0;
@@ -181,7 +183,7 @@ static vs_outcome join(run *w, const char *folder, batch *b) {
   return outcome;
 }
 
-/* Waits until nothing of the batch runs. Returns the exit code of its join. */
+/* Waits until no job of the batch runs. Returns the exit code of the batch's join. */
 static vs_outcome await(run *w, const char *folder, batch *b) {
   size_t shown = SIZE_MAX;
   bool known = true;
@@ -217,7 +219,8 @@ static verb *verb_of(const char *word) {
 
 static int by_text(const void *a, const void *b) { return strcmp(*(char *const *)a, *(char *const *)b); }
 
-/* Finds the folders in the present one that have a record. Returns their number; the caller frees names and array. */
+/* Finds the folders in the current folder that have a record of a batch. Returns their number; the caller frees the
+ * names and the array. */
 static size_t find_folders(char ***folders) {
   size_t count = 0, room = 0;
   char path[JOB_PATH_ROOM];

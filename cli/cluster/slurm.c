@@ -11,7 +11,7 @@
 
 enum { WORD_ROOM = JOB_PATH_ROOM + 64, MOST_WORDS = 24 };
 
-/* The words of a call of sbatch. */
+/* The command line of a call of sbatch. */
 typedef struct { char texts[MOST_WORDS][WORD_ROOM]; const char *words[MOST_WORDS]; size_t count; } call;
 
 static void put(call *c, const char *before, const char *value) {
@@ -94,7 +94,7 @@ static void list_nodes(const job_record *r, char *names, size_t room) {
   snprintf(names, room, "%.*s", (int)(strlen(all) > 1 ? strlen(all) - 2 : 0), all + 1);
 }
 
-/* Submits the bundles; not to the nodes in `avoid`, a list of names. Sets r->array. */
+/* Submits the bundles, but not to the nodes in `avoid`, a list of names. Sets r->array. */
 static bool submit_bundles(job_record *r, call *c, const char *avoid, const volatile sig_atomic_t *ended) {
   char array[64];
   begin(c, r, "parts"), put_limits(c, r);

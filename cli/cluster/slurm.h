@@ -13,9 +13,10 @@ bool slurm_submit(job_record *r, const volatile sig_atomic_t *ended);
  * message. */
 bool slurm_submit_first(job_record *r, const volatile sig_atomic_t *ended);
 
-/* The jobs of a record that Slurm still has. */
+/* Numbers of a batch's jobs that run or wait in Slurm. */
 typedef struct { size_t running, waiting; } slurm_state;
-/* Returns false after a message if Slurm cannot be asked. The job of this process, a join, does not count. */
+/* Sets *out to the numbers of the batch's jobs in Slurm, without the job of this process. Returns false after a message
+ * if Slurm gives no answer. */
 bool slurm_ask(const job_record *r, const volatile sig_atomic_t *ended, slurm_state *out);
 /* Cancels the jobs of the record. Returns false after a message. */
 bool slurm_cancel(const job_record *r, const volatile sig_atomic_t *ended);

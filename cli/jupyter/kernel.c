@@ -15,7 +15,7 @@ typedef struct {
   vs_scheme *scheme;
   const cli_options *options;
   const volatile sig_atomic_t *interrupts;
-  sig_atomic_t seen;          /* interrupts before the running cell */
+  sig_atomic_t seen;          /* number of the user's interrupts before the running cell */
   pid_t parent;               /* the process that started the kernel and ends it, or 0 */
   const wire_message *cell;   /* the message that is being answered, or NULL */
   unsigned count;             /* number of the cell */
@@ -72,7 +72,7 @@ static bool print(void *context, const char *text, size_t length) {
   return true;
 }
 
-/* Keeps the value: the last is the cell's result, the others are printed. */
+/* Receives a value of the cell. The last value is kept as the cell's result; the values before it are printed. */
 static void take_value(void *context, const char *text, size_t length) {
   kernel *k = context;
   content line;
@@ -106,7 +106,7 @@ static void diagnose(void *context, const vs_diagnostic *d) {
   free(c.text);
 }
 
-/* Returns true if Jupyter has ended without a word, so that nobody can end the kernel. */
+/* Returns true if the process that started the kernel has ended, so that nobody can end the kernel. */
 static bool is_orphan(const kernel *k) { return k->parent && getppid() != k->parent; }
 
 static bool is_interrupted(void *context) {
@@ -209,7 +209,8 @@ static void answer_execute(kernel *k) {
 
 /* ---- help with the text ---- */
 
-/* Returns the bytes of the first `characters` of the text; those of Jupyter are code points. */
+/* Returns the number of bytes of the first `characters` code points of the text, since Jupyter counts in code
+ * points. */
 static size_t bytes_of(const char *text, size_t length, long long characters) {
   size_t n = 0;
   for (; n < length; n++)
@@ -225,7 +226,8 @@ static size_t characters_of(const char *text, size_t bytes) {
 
 static bool is_of_name(char c) { return !strchr(" \t\r\n()[]{}\"';`,", c); }
 
-/* Sets code, and the word around the cursor: up to the cursor, or whole. */
+/* Sets code to the cell's text, and *from and *to to the word at the cursor. Without `whole`, the word ends at the
+ * cursor. */
 static const char *word_at(kernel *k, bool whole, size_t *from, size_t *to) {
   size_t length = 0;
   const char *code = cli_data_text(&k->wire.json, k->cell->content, "code", &length);
@@ -335,7 +337,8 @@ static void handle(kernel *k, const wire_message *m) {
 vs_outcome kernel_run(const cli_options *o, const char *connection_file, const volatile sig_atomic_t *interrupts,
                       const volatile sig_atomic_t *ended) {
   kernel k = { .options = o, .interrupts = interrupts };
-  const char *owner = getenv("JPY_PARENT_PID"); /* set by Jupyter, if the kernel is to end with it */
+  const char *owner = getenv("JPY_PARENT_PID"); /* the number of the process with which the kernel is to end; Jupyter
+                                                 * sets it */
   if (owner && strtol(owner, NULL, 10) == (long)getppid()) k.parent = getppid();
   bool missing = false;
   if (!wire_open(&k.wire, connection_file, &missing)) {

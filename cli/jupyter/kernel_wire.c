@@ -82,7 +82,7 @@ static cli_data read_connection(kernel_wire *w, const char *path) {
 static void *beat(void *context) {
   kernel_wire *w = context;
   zmq_msg_t part;
-  while (true) { /* until the context ends */
+  while (true) { /* receives until zmq closes the context */
     of(w)->zmq.part_init(&part);
     int n = of(w)->zmq.part_receive(&part, w->sockets[WIRE_HEARTBEAT], 0);
     if (n >= 0) of(w)->zmq.send(w->sockets[WIRE_HEARTBEAT], of(w)->zmq.part_data(&part), (size_t)n, 0);
@@ -131,7 +131,7 @@ void wire_close(kernel_wire *w) {
 
 /* ---- signatures ---- */
 
-/* Sets hex to the signature of four parts, or to "" without a key. */
+/* Sets hex to the signature of the message's four parts, or to "" if the connection has no key. */
 static void sign(const kernel_wire *w, const wire_part parts[4], char hex[SIGNATURE]) {
   struct hmac_sha256_ctx state;
   uint8_t bytes[SHA256_DIGEST_SIZE];
@@ -143,7 +143,7 @@ static void sign(const kernel_wire *w, const wire_part parts[4], char hex[SIGNAT
   for (size_t i = 0; i < sizeof bytes; i++) snprintf(hex + 2 * i, 3, "%02x", bytes[i]);
 }
 
-/* Compares in a time that does not depend on the bytes. */
+/* Compares two signatures in a time that does not depend on their bytes, against guessing. */
 static bool is_same(const char *a, const wire_part *b) {
   size_t n = strlen(a);
   unsigned char differs = n != b->length;
@@ -171,7 +171,7 @@ static bool receive_parts(kernel_wire *w, void *socket, wire_part parts[MOST_PAR
   return ok;
 }
 
-/* Makes a message of the parts, of which it owns addresses and header. */
+/* Makes a message from its received parts. The message then owns its addresses and its header. */
 static bool take_parts(kernel_wire *w, wire_message *m, wire_part *parts, size_t count) {
   static const char mark[] = "<IDS|MSG>";
   char hex[SIGNATURE];

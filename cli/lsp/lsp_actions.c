@@ -8,7 +8,7 @@
 #include "cli/lsp/lsp_words.h"
 #include "languages/analysis/notation.h"
 
-enum { MOST_TRIES = 24 /* edits that are tried for a message */, MOST_TEXT = 400, MOST_CLOSED = 60 };
+enum { MOST_TRIES = 24 /* greatest number of edits to try for a message */, MOST_TEXT = 400, MOST_CLOSED = 60 };
 
 static const char *const leads[] = {
 #define LSP_LEAD(words) words,
@@ -29,7 +29,7 @@ typedef struct { lsp_span at; const char *text; size_t length; } edit;
 
 /* ---- trying an edit ---- */
 
-/* Returns true if the analysis has the message of the finding, at this byte. */
+/* Returns true if the analysis of the edited text still has the finding's message at its place. */
 static bool still_found(const cli_draft *after, const know_finding *finding, uint32_t from) {
   for (size_t i = 0; i < after->found.count; i++) {
     const know_finding *f = &after->found.at[i];
@@ -43,7 +43,7 @@ static bool is_later(const know_place *a, const know_place *b) {
   return a->line > b->line || (a->line == b->line && a->column > b->column);
 }
 
-/* Returns true if the edit removes the message, and adds none. */
+/* Returns true if the edit removes the message, and adds no message. */
 static bool mends(remedy *r, const edit *e) {
   const lsp_document *d = r->d;
   size_t length = 0;
@@ -136,8 +136,8 @@ static bool words_are_in(const remedy *r, const char *text, size_t length, const
   return true;
 }
 
-/* Returns true if the advice is made of the replaced text, so that the advice is no general example. name: whether the
- * replaced text is a name that the message concerns. */
+/* Returns true if the advice contains the words of the replaced text, and is therefore no general example. name:
+ * whether the replaced text is a name that the message concerns. */
 static bool is_made_of(const remedy *r, bool name, const edit *e) {
   const char *replaced = r->d->text + e->at.from;
   size_t length = e->at.to - e->at.from;
@@ -152,8 +152,7 @@ static bool concerns(const remedy *r, const know_node *n) {
          (first->at.from == r->at.from && first->at.to == r->at.to);
 }
 
-/* Offers to write the advice instead of the finding's text, or instead of a part of it: of the smallest that fits, for
- * the parts of a node come after it. */
+/* Offers to replace the finding's text by the advice, or the smallest part of that text that the advice can replace. */
 static void offer_advice(remedy *r, const char *advice, size_t n) {
   const knowledge *k = &r->d->draft->k;
   bool done = false;
@@ -167,7 +166,7 @@ static void offer_advice(remedy *r, const char *advice, size_t n) {
     bool name = node->kind == KNOW_SYMBOL && at.from == r->at.from && at.to == r->at.to;
     if (node->kind == KNOW_KEYWORD) name = is_in(replaced, length, r->finding->details, strlen(r->finding->details));
     bool first = name && node->parent && know_at(k, node->parent)->first == i;
-    if (same || (first && *advice == '(')) continue; /* a form takes the place of the whole call */
+    if (same || (first && *advice == '(')) continue; /* a form can only replace the whole call */
     if (!(name && *advice != '(') && !is_made_of(r, name, &(edit){ at, advice, n })) continue;
     done = offer_text(r, &(edit){ at, advice, n });
   }
@@ -183,7 +182,8 @@ static void offer_advices(remedy *r, const char *message) {
   for (size_t i = 0; i < sizeof leads / sizeof *leads; i++)
     for (const char *at = strstr(message, leads[i]); at; at = strstr(at + 1, leads[i])) {
       const char *text = at + strlen(leads[i]);
-      if (strchr("(;:", *leads[i]) && !strchr("(\"0123456789", *text)) continue; /* not an advice, but more text */
+      if (strchr("(;:", *leads[i]) && !strchr("(\"0123456789", *text)) continue; /* the text continues the message, and
+                                                                                  * is no advice */
       size_t n = datum(text, end);
       if (!strncmp(leads[i], "did", 3) && n && text[n - 1] == '?') n--;
       if (n) offer_advice(r, text, n);
@@ -192,7 +192,7 @@ static void offer_advices(remedy *r, const char *message) {
 
 /* ---- names and comments ---- */
 
-/* Names that begin with _ may be unused. */
+/* Offers to put _ before a name that is not used, since names that begin with _ may be unused. */
 static void offer_underscore(remedy *r) {
   const char *name = r->d->text + r->at.from;
   size_t n = lsp_word(name, r->d->text + r->at.to);
@@ -202,7 +202,7 @@ static void offer_underscore(remedy *r) {
   offer_text(r, &(edit){ r->at, text, (size_t)length });
 }
 
-/* A comment that allows the finding, behind its line or on a line of its own before it. */
+/* Offers to add a comment that allows the finding, on its line or on a line before it. */
 static void offer_comment(remedy *r, const char *check) {
   const char *text = r->d->text;
   char title[100], comment[160];
@@ -218,7 +218,7 @@ static void offer_comment(remedy *r, const char *check) {
 
 /* ---- texts that cannot be read ---- */
 
-/* Returns the byte at which the form of byte `from` probably ends: before the next line that begins with a
+/* Returns the byte at which the form that begins at `from` probably ends: before the next line that begins with a
  * parenthesis. */
 static size_t probable_end(const lsp_document *d, size_t from) {
   size_t to = d->length;
@@ -228,7 +228,7 @@ static size_t probable_end(const lsp_document *d, size_t from) {
   return to;
 }
 
-/* Offers the parentheses that a form lacks at its end. */
+/* Offers to add the closing parentheses that a form lacks. */
 static void offer_closing(remedy *r) {
   const lsp_document *d = r->d;
   size_t from = r->at.from, to = probable_end(d, from), length = 0;

@@ -4,6 +4,6 @@
 
 #include "cli/lsp/lsp_answers.h"
 
-void lsp_actions(lsp_server *s, cli_data parameters); /* an lsp_answer */
+void lsp_actions(lsp_server *s, cli_data parameters); /* answers a request for edits; its type is lsp_answer */
 
 #endif

@@ -101,7 +101,8 @@ void lsp_hover(lsp_server *s, cli_data parameters) {
 
 /* ---- completion ---- */
 
-/* k: the newest analysis of the text that could be made, or NULL. scheme: the interpreter whose names are offered. */
+/* The state of a completion. k: the newest analysis of the text, or NULL; scheme: the interpreter whose names are
+ * offered. */
 typedef struct {
   lsp_server *s;
   const char *comma;
@@ -128,7 +129,7 @@ static void put_item(completion *c, const char *name, int kind, const char *deta
   c->comma = ",";
 }
 
-/* Returns whether complete_symbols offers the name. */
+/* Returns true if the analysis has a definition of the name, which complete_symbols offers. */
 static bool is_defined(const knowledge *k, const char *name) {
   for (know_index i = 1; i < k->symbol_count; i++) {
     const know_symbol *y = &k->symbols[i];
@@ -175,7 +176,7 @@ void lsp_completion(lsp_server *s, cli_data parameters) {
   completion c = { s, "", d, { (uint32_t)from, (uint32_t)to }, lsp_document_knowledge(d, s->interpreter), s->language };
   fputs("[", s->to);
   if (c.k) complete_symbols(&c, prefix);
-  if (c.k) c.scheme = c.k->scheme; /* it has the names of imported libraries */
+  if (c.k) c.scheme = c.k->scheme; /* the analysis has an interpreter with the names of imported libraries */
   vs_complete(c.scheme, prefix, complete_name, &c);
   fputs("]", s->to);
 }

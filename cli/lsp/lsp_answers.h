@@ -33,8 +33,9 @@ void lsp_rename(lsp_server *s, cli_data parameters);
 void lsp_outline(lsp_server *s, cli_data parameters);
 void lsp_formatting(lsp_server *s, cli_data parameters);
 
-/* Return the document with this address, or with the one in the request's member textDocument; NULL: there is none. */
+/* Returns the open document with this address, or NULL if there is none. */
 lsp_document *lsp_find_uri(const lsp_server *s, const char *uri);
+/* Returns the open document of the request's member textDocument, or NULL if there is none. */
 lsp_document *lsp_find(const lsp_server *s, cli_data parameters);
 
 #endif

@@ -1,5 +1,5 @@
-/* Answers with the meaning of each word of a text. The protocol wants them in the order of the text, each as five
- * numbers: lines after the word before, units of UTF-16 after it, length, meaning, marks. */
+/* Answers with the meaning of each word of a text, for an editor's colours. The protocol requires five numbers a word,
+ * in the order of the text: lines and UTF-16 units after the previous word, length, meaning, marks. */
 #include "cli/lsp/lsp_colours.h"
 
 #include <stdlib.h>
@@ -95,7 +95,7 @@ static int in_order(const void *a, const void *b) {
 /* The words written so far: the text up to byte `at`, which is at `place`; the last word began at `last`. */
 typedef struct { FILE *to; const know_file *file; size_t at; lsp_position place, last; const char *comma; } writer;
 
-/* Writes the word, as one for each line that it covers. */
+/* Writes the word; a word that covers several lines becomes one word on each line. */
 static void put_word(writer *w, const word *found) {
   const char *text = w->file->text;
   size_t from = found->at.from;
@@ -131,7 +131,7 @@ static void put_words(lsp_server *s, const knowledge *k) {
 void lsp_colours(lsp_server *s, cli_data parameters) {
   lsp_document *d = lsp_find(s, parameters);
   bool known = d && know_reads(d->path) && lsp_document_study(d, s->interpreter);
-  if (d && know_reads(d->path) && !known) { /* the editor keeps its colours while a form is open */
+  if (d && know_reads(d->path) && !known) { /* without an analysis the editor keeps its old colours */
     s->refused = "the text cannot be read";
     return;
   }

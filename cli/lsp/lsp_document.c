@@ -131,7 +131,7 @@ bool lsp_document_edit(lsp_document *d, size_t from, size_t to, const char *text
   return true;
 }
 
-/* Finds the text's packages at its first analysis. Packages that have changed are not used. */
+/* Finds the packages that the text uses, at its first analysis. Ignores packages whose files were changed. */
 static void find_libraries(lsp_document *d, const char *folders) {
   char path[4200], why[PACKAGE_WHY];
   if (d->libraries || !package_path(d->path, path, sizeof path, why)) return;
@@ -146,7 +146,7 @@ vs_options lsp_document_options(lsp_document *d, const vs_options *interpreter) 
   return o;
 }
 
-/* An analysis that could be made is kept until the next one: lsp_document_knowledge returns it. */
+/* Analyses the text. lsp_document_knowledge returns the last successful analysis, which is kept until the next. */
 bool lsp_document_study(lsp_document *d, const vs_options *interpreter) {
   if (d->fresh) return d->draft->known;
   vs_options o = lsp_document_options(d, interpreter);

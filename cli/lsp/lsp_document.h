@@ -11,19 +11,19 @@ typedef struct { uint32_t from, to; } lsp_span; /* the bytes from `from` to `to`
 typedef struct {
   char *uri, *path, *text;
   size_t length, room;
-  cli_draft drafts[2], *draft; /* draft: the one that analyses the text; empty if the text was not analysed yet */
-  bool fresh;          /* whether draft is the analysis of the present text; else it is that of an earlier text */
+  cli_draft drafts[2], *draft; /* two analyses, of which `draft` is the present one; empty if the text was not analysed
+                                * yet */
+  bool fresh;          /* whether `draft` is the analysis of the present text, and not of an earlier text */
   char *libraries;     /* folders of libraries: those of the text's packages and of the server, or NULL */
 } lsp_document;
 
-/* lsp_offset returns the offset in bytes of a position, at most `length`. lsp_position_of returns the position of an
- * offset. */
+/* Returns the offset in bytes of a position, at most `length`. */
 size_t lsp_offset(const char *text, size_t length, lsp_position at);
+/* Returns the position of an offset in bytes. */
 lsp_position lsp_position_of(const char *text, size_t length, size_t offset);
-/* Moves *at, a byte at *place, on to the byte `to`. */
+/* Moves *at on to the byte `to`, and updates *place, the position of *at. */
 void lsp_advance(const char *text, size_t length, size_t *at, size_t to, lsp_position *place);
-/* Returns the bytes of a place, which has lines and columns of characters. An empty place is extended to one
- * character. */
+/* Returns the bytes of a place that is given by lines and columns. An empty place is extended to one character. */
 lsp_span lsp_place(const char *text, size_t length, const know_place *at);
 
 /* Returns a new document, which lsp_document_free frees, or NULL when memory is out. */
@@ -36,8 +36,8 @@ bool lsp_document_edit(lsp_document *d, size_t from, size_t to, const char *text
 vs_options lsp_document_options(lsp_document *d, const vs_options *interpreter);
 /* Analyses the present text, if this was not done yet. Returns true if the text could be analysed. */
 bool lsp_document_study(lsp_document *d, const vs_options *interpreter);
-/* Returns the newest analysis of the text that could be made: while the user types a form, that of the text before.
- * Returns NULL if there is none. */
+/* Returns the newest successful analysis, or NULL. While the text cannot be read, this is the analysis of an earlier
+ * text. */
 knowledge *lsp_document_knowledge(lsp_document *d, const vs_options *interpreter);
 /* Returns the symbol (a name with its definition) whose name is at the byte `offset`, or 0. Sets *node to the name's
  * node. */

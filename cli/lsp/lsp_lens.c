@@ -1,5 +1,5 @@
-/* Answers with the lens of a text, and starts the live view that it shows: `vs view` in a process of its own, which
- * ends with the server. */
+/* Answers with the lens of a text (a clickable line above its drawing), and starts the live view that the lens shows: a
+ * process of `vs view`, which ends with the server. */
 #include "cli/lsp/lsp_lens.h"
 
 #include <errno.h>
@@ -28,7 +28,8 @@ static bool defines(const knowledge *k, know_index form) {
   return false;
 }
 
-/* Returns the node that makes the drawing: the first call of draw, else the last expression; 0: there is none. */
+/* Returns the node that makes the drawing: the first call of draw, otherwise the last expression; 0 if there is
+ * none. */
 static know_index drawing_of(const knowledge *k) {
   for (know_index i = 1; i <= k->text_nodes; i++) {
     const know_node *n = know_at(k, i);
@@ -59,7 +60,7 @@ void lsp_lens(lsp_server *s, cli_data parameters) {
 
 /* ---- live views ---- */
 
-/* Becomes `vs view`, in a new process. */
+/* Replaces this new process by `vs view`. */
 static void become_view(const lsp_server *s, const char *path, int output) {
   char *words[] = { (char *)"vs", (char *)"view", (char *)(s->shows ? "-q" : "--"), (char *)(s->shows ? "--" : path),
                     s->shows ? (char *)(uintptr_t)path : NULL, NULL };
@@ -79,7 +80,7 @@ static double now(void) {
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* Reads the line with the address. Returns false if the view ends, or takes too long. */
+/* Reads the line in which `vs view` prints its address. Returns false if the view ends, or takes too long. */
 static bool read_address(int from, char *address, size_t room) {
   size_t n = 0;
   for (double end = now() + START_SECONDS; n + 1 < room;) {

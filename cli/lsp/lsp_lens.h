@@ -6,7 +6,8 @@
 
 #define LSP_SHOW_COMMAND "visualscheme.show" /* the command of the lens; its argument is the text's address */
 
-void lsp_lens(lsp_server *s, cli_data parameters);    /* an lsp_answer */
+void lsp_lens(lsp_server *s, cli_data parameters);    /* answers a request for the lens of a text; its type is
+                                                       * lsp_answer */
 /* An lsp_answer: starts a live view of the model, unless there is one, and answers with its address. */
 void lsp_command(lsp_server *s, cli_data parameters);
 void lsp_views_end(lsp_server *s); /* ends the live views that the server has started */
