@@ -54,8 +54,8 @@ static volatile sig_atomic_t interrupts, ended;
 
 static void on_interrupt(int signal_number) {
   if (signal_number != SIGINT) ended = 1;
-  if (++interrupts > 3) _exit(VS_OUTCOME_INTERRUPTED); /* after several times Ctrl-C the process seems to hang: ends
-                                                        * it */
+  if (++interrupts > 3) _exit(VS_OUTCOME_INTERRUPTED); /* ends the process after more than three signals, since it does
+                                                        * not seem to react */
   if (interrupted_by_signal) vs_interrupt(interrupted_by_signal);
 }
 
@@ -416,8 +416,8 @@ vs_outcome cli_session_run(cli_session *c) {
 
 /* ---- running frames ---- */
 
-/* Returns true if every output file of the frame is newer than the model's files. Returns false if there are several
- * views, whose names are unknown before the model runs. */
+/* Returns true if every output file of the frame is newer than the model's files, so that the frame need not be made.
+ * Returns false if there are several views. */
 static bool frame_stands(const cli_session *c, long frame) {
   const cli_options *o = c->options;
   struct stat made, source;
@@ -491,7 +491,8 @@ static vs_outcome run_batch(cli_session *c) {
         : o->command == CLI_COMMAND_test ? cli_test_run(c, run_file) : run_sources(c, false);
     if (outcome == VS_OUTCOME_DONE && o->parameters) cli_report_parameters(stdout, c->scheme);
     if (o->command == CLI_COMMAND_sweep && outcome == VS_OUTCOME_DONE) cli_sweep_tell(o->results, c->scheme);
-    if (o->command == CLI_COMMAND_profile && outcome != VS_OUTCOME_USAGE) { /* also of a run that was ended early */
+    if (o->command == CLI_COMMAND_profile && outcome != VS_OUTCOME_USAGE) { /* prints the profile of a run that was
+                                                                             * ended early, too */
       vs_outcome told = cli_profile(c);
       if (outcome == VS_OUTCOME_DONE) outcome = told;
     }

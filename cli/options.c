@@ -178,7 +178,8 @@ static bool take_frames(cli_options *o, const option_row *row, const char *word)
   char *end, from[40] = "";
   *out = (cli_frames){.count = strtol(text, &end, 10), .parameter = "t", .to_value = 1, .resume = out->resume};
   bool ok = end != text;
-  if (ok && out->count == 1 && !strncmp(end, "..", 2)) { /* 1..2000 means 2000 */
+  if (ok && out->count == 1 && !strncmp(end, "..", 2)) { /* a single frame followed by "..": the text 1..2000 means 2000
+                                                          * frames */
     text = end + 2;
     out->count = strtol(text, &end, 10);
     ok = end != text;
@@ -478,7 +479,7 @@ static bool is_one_of(const char *word, const char *const *options, size_t count
   return false;
 }
 
-/* Returns true for options that say where parts run. */
+/* Returns true if the word is an option of --on, which determines where the parts of a batch run. */
 static bool is_of_cluster(const char *word) {
   static const char *const own[] = {"on", "time", "memory", "cpus", "bundle", "pack"};
   return word[1] == '-' && is_one_of(word, own, sizeof own / sizeof *own);
@@ -494,8 +495,8 @@ static bool is_of_batch(const char *word) {
   return is_one_of(word, own, sizeof own / sizeof *own) || is_of_cluster(word);
 }
 
-/* Keeps the words from `from` to `to` for runs elsewhere: an option that concerns processes for none, one that needs
- * all parts for the run of all, and others for both. */
+/* Keeps the words from `from` to `to` for runs of parts elsewhere (--on). An option about processes is not kept. An
+ * option that needs all parts is kept only for the run of all. */
 static void keep_words(cli_options *o, char **argv, int from, int to) {
   static const char *const here[] = { "jobs", "threads", "quiet", "watch" }, *const all[] = { "film", "sheet", "where",
                                                                                               "sort" };

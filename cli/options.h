@@ -43,13 +43,16 @@ enum { CLI_TAKES_JSON = 1, CLI_TAKES_XML = 2, CLI_TAKES_TWO = 4 /* the command r
        CLI_TAKES_SWEEP = 32768 /* the command accepts one file, --set, and -o with folders, patterns and a table */,
        CLI_TAKES_WORDS = 65536 /* the words of the command are no programs, and it accepts no -o */ };
 
-/* The place where the parts of a batch run, and the limits of a bundle of them. Texts are NULL, and numbers 0, if not
- * given. */
+/* The options of --on: the place where the parts of a batch run, and the limits of each job. A text that is not given
+ * is NULL; such a number is 0. */
 typedef struct {
-  const char *on;               /* "local", "parallel", "slurm" or "slurm:PARTITION"; NULL: here, without --on */
-  const char *time, *memory;    /* a bundle's limits, as Slurm reads them */
-  bool pack; const char *packed; /* --pack; packed: names of more files to pack, separated by commas, or NULL */
-  size_t cpus, bundle;          /* cpus: processors of a bundle; bundle: number of parts in it */
+  const char *on;               /* "local", "parallel", "slurm" or "slurm:PARTITION"; NULL without --on: the parts run
+                                 * in this command */
+  const char *time, *memory;    /* limits of time and memory for a job on the cluster, as Slurm reads them */
+  bool pack; const char *packed; /* pack: whether --pack is given; packed: names of its additional files, separated by
+                                  * commas, or NULL */
+  size_t cpus, bundle;          /* cpus: processors that a job of the cluster uses; bundle: number of parts that a job
+                                 * makes */
 } cli_cluster;
 
 typedef struct {
@@ -79,18 +82,20 @@ typedef struct {
    * `held`. */
   const char **sets, **passed; size_t set_count, passed_count; /* passed: options that are passed on to the run of each
                                                                 * picture */
-  /* vs render: `sets` then has a text for each row of the files of --set, in this memory; their names. */
+  /* vs render: memory of the texts in `sets`, if files of --set define them with a text for each row, and the names of
+   * these files */
   sweep_memory set_memory; const char **set_files; size_t set_file_count;
-  /* vs render without --frames and --tiles: its parts are the models with each of the sets. from, to: those of --only,
-   * from 1. */
+  /* vs render without --frames and --tiles: its parts are pairs of a model and a set of parameters. --only gives the
+   * first and the last pair, from 1. */
   struct { long from, to; } pairs;
-  /* vs render, vs sweep: the words of the command after its name, for a run of all parts elsewhere, and for a run of
-   * some parts. Neither has options about processes. */
+  /* vs render, vs sweep: words of the command line for a run of all parts (whole), and for a run of some parts (part),
+   * elsewhere. Options about processes are not among them. */
   const char **whole, **part; size_t whole_count, part_count;
-  cli_cluster cluster;                 /* the options about clusters */
+  cli_cluster cluster;                 /* the options that concern clusters */
   size_t retries;                      /* number of further runs of a part that was killed, or whose worker failed */
   bool watch;                          /* whether the command runs again when a file changes */
-  bool trying;                         /* of --pack: the parts run without outputs, for the files that they read */
+  bool trying;                         /* whether parts run without outputs, so that --pack learns which files they
+                                        * read */
   bool join, keep_going, keep_failed;  /* vs render, vs sweep: whether these options are given */
   size_t jobs;                         /* vs render: number of processes by --jobs; 0 if not given */
   int results;                         /* vs test, vs sweep: in the process of a run, the pipe for its results */

@@ -10,7 +10,7 @@ bool lsp_ends_word(char c); /* returns true for a blank, a parenthesis or a mark
 size_t lsp_word(const char *at, const char *end); /* returns the length of the word at `at` */
 
 void lsp_put(FILE *to, const char *text); /* writes a JSON text */
-/* Writes "key":{...}, the places of the span's ends. */
+/* Writes "key":{...} with the positions at which the span begins and ends. */
 void lsp_put_range(FILE *to, const char *key, const char *text, size_t length, lsp_span span);
 void lsp_put_node_range(FILE *to, const char *key, const knowledge *k, know_index node);
 void lsp_put_location(FILE *to, const knowledge *k, know_index node);
@@ -19,7 +19,8 @@ lsp_span lsp_range_of(const cli_data_reader *json, const lsp_document *d, cli_da
 
 const char *lsp_check_name(unsigned check);
 lsp_span lsp_finding_span(const lsp_document *d, const know_finding *f);
-/* Writes the finding or, for NULL, the first error of a text that cannot be read. */
+/* Writes the finding as a diagnostic of the protocol. If the finding is NULL, writes the first error of a text that
+ * cannot be read. */
 void lsp_write_diagnostic(FILE *to, const lsp_document *d, const know_finding *f);
 /* Writes the findings in the document, or its first error, as a list of diagnostics. */
 void lsp_write_diagnostics(FILE *to, lsp_document *d, const vs_options *interpreter);

@@ -17,8 +17,8 @@
 #include "cli/confine.h"
 #include "model/store/array.h"
 
-/* Limits of a command: its output in bytes, and its total time in seconds. Limits of the interpreter usually end it
- * before. */
+/* Limits of a command: bytes of its output, and seconds in total. The limits of the interpreter usually end a command
+ * earlier. */
 enum { MOST_SAID = 1 << 20, MOST_SECONDS = 600, MOST_LINE = 64 << 20, PIECE = 65536 };
 
 /* ---- standard input ---- */
@@ -111,11 +111,12 @@ static bool take_said(mcp_command *c, int from) {
   return n > 0;
 }
 
-/* Reads the command's output until it ends. Returns 0, or the reason to end the process. An end of the input ends no
- * command: its answer may still have a reader. */
+/* Reads the command's output until it ends. Returns 0, or a negative reason to end the process. The end of the server's
+ * standard input is no such reason. */
 static int listen_to(mcp_process *p, mcp_command *c, int from) {
   double end = now() + MOST_SECONDS;
-  if (is_cancelled(p)) return MCP_CANCELLED; /* the notice came with the request */
+  if (is_cancelled(p)) return MCP_CANCELLED; /* the client's notice that cancels the request arrived together with the
+                                              * request */
   while (true) {
     struct pollfd ready[3] = { { .fd = from, .events = POLLIN }, { .fd = STDOUT_FILENO },
                                { .fd = STDIN_FILENO, .events = POLLIN } };
@@ -124,7 +125,7 @@ static int listen_to(mcp_process *p, mcp_command *c, int from) {
     int found = poll(ready, p->ended ? 2 : 3, (int)(1000 * left) + 1);
     if (found <= 0) continue;
     if (ready[0].revents && !take_said(c, from)) return 0;
-    if (ready[1].revents & POLLERR) return MCP_CANCELLED; /* nobody reads the answer */
+    if (ready[1].revents & POLLERR) return MCP_CANCELLED; /* nobody reads the server's answers any more */
     if (p->ended || !ready[2].revents) continue;
     take_input(p);
     if (is_cancelled(p)) return MCP_CANCELLED;

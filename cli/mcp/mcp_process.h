@@ -10,7 +10,7 @@
 enum { MCP_CANCELLED = -1, MCP_NO_PROCESS = -2, MCP_CRASHED = -3, MCP_TOO_LONG = -4 };
 
 typedef struct {
-  int (*run)(int argc, char **argv); /* runs a command; returns its exit code */
+  int (*run)(int argc, char **argv); /* a function that runs a command of vs and returns its exit code */
   cli_data_reader *json;
   char *input; size_t input_count, input_room, input_taken; /* bytes of standard input that are not handled yet */
   bool ended;             /* whether standard input has ended */
@@ -25,8 +25,9 @@ char *mcp_next_line(mcp_process *p, size_t *length);
 /* The words of a command, and the text that it prints. */
 typedef struct {
   const char *words[128]; size_t count;
-  const char *folder;     /* the folder in which the command runs; NULL: that of vs mcp */
-  bool reads_only;        /* whether the command is confined to reading that folder; else --untrusted confines it */
+  const char *folder;     /* the folder in which the command runs; NULL: the folder in which vs mcp runs */
+  bool reads_only;        /* whether the command may only read files in `folder`; otherwise the option --untrusted
+                           * confines it */
   char *said; size_t said_count, said_room;
 } mcp_command;
 

@@ -95,7 +95,7 @@ static void handle(server *v, cli_data m) {
   message answer;
   if (!name && !cli_data_at(&v->json, m, "result") && !cli_data_at(&v->json, m, "error"))
     send_error(v, id, BAD_REQUEST, "this is no request: it has no method");
-  if (!name || !id) return; /* an answer, or a notice */
+  if (!name || !id) return; /* ignores a message without a method (an answer) or without an id (a notice) */
   for (size_t i = 0; i < sizeof methods / sizeof *methods; i++) {
     if (strcmp(methods[i].name, name) || !message_begin(&answer, v, id)) continue;
     v->desk.process.id = id;

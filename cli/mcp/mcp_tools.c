@@ -1,4 +1,5 @@
-/* Implements the tools: each runs a command of vs on the program, and answers with its text and its picture. */
+/* Implements the tools of an assistant: each runs a command of vs on the program, and answers with the command's text
+ * and picture. */
 #include "cli/mcp/mcp_tools.h"
 
 #include <errno.h>
@@ -59,11 +60,11 @@ typedef struct {
   mcp_desk *desk;
   cli_data arguments;
   mcp_command command;
-  const char *fault;      /* the reason why the tool cannot be called, or NULL */
+  const char *fault;      /* the reason why the call of the tool is refused, or NULL */
   char *texts[MOST_SETTINGS]; size_t text_count; /* words of the command, which the call owns */
   char numbers[MOST_NUMBERS][32]; size_t number_count;
-  char path[PATH_ROOM];   /* the output of the command */
-  bool picture;           /* whether the output is the picture of the answer */
+  char path[PATH_ROOM];   /* path of the command's output file */
+  bool picture;           /* whether the output file is a picture that belongs to the answer */
 } call;
 
 static const char *argument(const call *c, int id) {
@@ -93,7 +94,7 @@ static const char *end_word(call *c, FILE *to) {
   return NULL;
 }
 
-/* Returns true for a path that stays in its folder. */
+/* Returns true for a relative path that does not leave its folder. */
 static bool is_below(const char *path) {
   if (!*path || *path == '/' || *path == '-' || strlen(path) > 2000) return false;
   while (true) {
@@ -118,7 +119,7 @@ static void keep_program(call *c, const char *text, size_t length) {
   if (!d->model) fault(c, "the program could not be kept in a file");
 }
 
-/* Finds the program: its text, its file, or that of the last call. */
+/* Finds the program of the call: the text or the file in its arguments, otherwise the program of the last call. */
 static void take_model(call *c) {
   mcp_desk *d = c->desk;
   size_t length = 0;
@@ -142,7 +143,8 @@ static void limit(call *c, const char *name, double value) {
   option(c, name, text);
 }
 
-/* Gives the parameters to the command. A text is the parameter's value, or a datum if its default is no text. */
+/* Passes the values of the program's parameters to the command. A text is the value itself if the parameter's default
+ * is a text, otherwise a datum. */
 static void take_parameters(call *c) {
   const cli_data_reader *json = c->desk->process.json;
   cli_data all = cli_data_at(json, c->arguments, argument_rows[ARGUMENT_PARAMETERS].name);
@@ -158,7 +160,7 @@ static void take_parameters(call *c) {
   }
 }
 
-/* Begins a run of the program, confined and with limits. */
+/* Begins the words of a command that runs the program, confined and with limits. */
 static void begin_run(call *c) {
   const vs_options *o = &c->desk->options->interpreter;
   mcp_word(&c->command, "vs");

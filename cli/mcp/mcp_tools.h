@@ -5,11 +5,11 @@
 #include "cli/mcp/mcp_process.h"
 
 typedef struct {
-  mcp_process process;       /* how commands run */
+  mcp_process process;       /* the server's standard input, and the function that runs commands */
   const cli_options *options;
-  char *folder;              /* a private folder, with the program and its pictures */
+  char *folder;              /* path of a private folder, which contains the program and its pictures */
   char *model;               /* the file of the last program, in `folder` or in the folder of vs mcp; NULL: none yet */
-  bool own;                  /* whether the program is in `folder` */
+  bool own;                  /* whether the last program's file is in the private folder */
 } mcp_desk;
 
 /* Makes the private folder. Returns false after a message on standard error if it cannot be made. */
