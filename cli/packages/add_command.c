@@ -64,8 +64,8 @@ static cli_data read_manifest(adding *a, const char *folder) {
   return all;
 }
 
-/* Adds the packages that this one needs. A folder may need folders, by paths from it; a package by git needs only
- * addresses of git. */
+/* Adds the packages that a package needs. A package from a folder may need other folders, by paths relative to it. A
+ * package from git may need only addresses of git. */
 static bool add_needs(adding *a, cli_data manifest, const want *w, const char *name) {
   cli_data needs = cli_data_at(&a->lock.json, manifest, "needs");
   char source[PATH_MAX], by[64];
@@ -89,7 +89,7 @@ static bool add_needs(adding *a, cli_data manifest, const want *w, const char *n
 
 /* ---- fetching ---- */
 
-/* Returns true if the lock has the package already, from this source. Fails for another source. */
+/* Returns true if vs.lock already has the package from this source. Fails if vs.lock has it from another source. */
 static bool is_there(adding *a, const want *w, const char *name, bool *conflict) {
   const package *p = package_lock_find(&a->lock, name);
   *conflict = false;
@@ -117,7 +117,7 @@ static bool record(adding *a, const want *w, const char *name, const char *commi
   return true;
 }
 
-/* Fetches one package into the stage, and records it in the lock. */
+/* Fetches one package into the temporary folder .vs.new, and records it in the lock. */
 static vs_outcome fetch(adding *a, size_t i) {
   char to[PATH_MAX], named[PATH_MAX], commit[80], hash[PACKAGE_HASH], name[64];
   const want *w = &a->wants[i];
@@ -148,7 +148,7 @@ static vs_outcome fetch(adding *a, size_t i) {
   return ok ? VS_OUTCOME_DONE : VS_OUTCOME_USAGE;
 }
 
-/* Moves the packages of the stage to their places. */
+/* Moves the packages from .vs.new to their places. */
 static bool settle(adding *a) {
   for (size_t i = 0; i < a->lock.count; i++) {
     char from[PATH_MAX], to[PATH_MAX];
@@ -160,7 +160,7 @@ static bool settle(adding *a) {
   return package_lock_write(&a->lock, ".") || fail(a, "vs.lock", strerror(errno));
 }
 
-/* Wants the packages of the lock that are missing or have changed. */
+/* Adds the packages of vs.lock that are missing or have changed to the list of packages to fetch. */
 static bool want_missing(adding *a) {
   for (size_t i = 0; i < a->lock.count; i++) {
     const package *p = &a->lock.at[i];
@@ -174,13 +174,14 @@ static bool want_missing(adding *a) {
 
 /* ---- names of an index ---- */
 
-/* Returns true for a word that is no address of git and no folder that is there. */
+/* Returns true if the word is neither an address of git nor an existing folder; it is then a name in the index. */
 static bool is_for_index(const char *source) {
   struct stat is;
   return package_is_name(source) && !is_git_address(source) && (stat(source, &is) != 0 || !S_ISDIR(is.st_mode));
 }
 
-/* Wants the packages of the command line. The index is read when the first name needs it. */
+/* Adds the packages of the command line to the list of packages to fetch. Reads the index of packages when the first
+ * name needs it. */
 static vs_outcome want_given(adding *a, const cli_options *o) {
   package_index x = { 0 };
   bool read = false, ok = true;
@@ -217,7 +218,7 @@ vs_outcome cli_add_command(const cli_options *o) {
   for (size_t i = 0; outcome == VS_OUTCOME_DONE && i < a.count; i++) outcome = fetch(&a, i);
   if (outcome == VS_OUTCOME_DONE && a.count && !settle(&a)) outcome = VS_OUTCOME_USAGE;
   package_remove(STAGE);
-  rmdir(HOME); /* if it is empty */
+  rmdir(HOME); /* rmdir removes the folder only if it is empty */
   if (outcome != VS_OUTCOME_DONE) fprintf(stderr, "vs add: %s\n", a.why);
   else if (!a.count) puts("all packages of vs.lock are there");
   for (size_t i = 0; i < a.count; i++) {

@@ -4,8 +4,8 @@
 
 #include "cli/options.h"
 
-/* Adds the packages that the command line names to the present folder, with those that they need; without names,
- * fetches those of vs.lock that are missing or have changed. */
+/* Adds the packages of the command line, and the packages that they need, to the current folder. Without names, fetches
+ * the packages of vs.lock that are missing or have changed. */
 vs_outcome cli_add_command(const cli_options *o);
 
 #endif

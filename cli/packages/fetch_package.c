@@ -16,7 +16,8 @@ bool is_git_address(const char *source) {
   return strstr(source, "://") || !strncmp(source, "git@", 4) || (n > 4 && !strncmp(source + n - 4, ".git", 4));
 }
 
-/* Runs git with these words. output: receives its first line, or NULL. Returns its exit code; 127: it is missing. */
+/* Runs git with these words. output receives the first line that git prints; it may be NULL. Returns git's exit code,
+ * or 127 if git is missing. */
 static int git(const char *const *words, char *output, size_t size) {
   static const char *const first[] = { "git", "-c", "core.hooksPath=/dev/null", "-c", "protocol.ext.allow=never",
                                        "-c", "advice.detachedHead=false", "-c", "core.autocrlf=false" };

@@ -6,9 +6,9 @@
 
 typedef enum { FETCHED, NOT_FETCHED /* the source is at fault */, NO_GIT /* git is missing or failed */ } fetch_outcome;
 
-bool is_git_address(const char *source); /* else it is a folder */
-/* Copies the package into the new folder `to`. commit: the commit to take; "" for the name after # in the address, or
- * for the newest. It becomes the number of the commit taken. Fails with the reason in why. */
+bool is_git_address(const char *source); /* returns false if the source is a folder */
+/* Copies the package into the new folder `to`. If commit is "", takes the version after # in the address, or the
+ * newest. Sets commit to the number of the commit that was taken. On failure, sets why to the reason. */
 fetch_outcome package_fetch(const char *source, const char *to, char commit[80], char why[PACKAGE_WHY]);
 
 #endif

@@ -1,4 +1,4 @@
-/* Implements `vs new NAME`: the files of new_files.def, with the name in them. */
+/* Implements `vs new NAME`: writes the files that new_files.def lists, with NAME in their texts. */
 #include "cli/packages/new_command.h"
 
 #include <errno.h>

@@ -106,7 +106,8 @@ static bool add_contents(hashing *h, const char *path, char why[PACKAGE_WHY]) {
   return ok || fail(why, path, "cannot be read");
 }
 
-/* Adds the length of the name, the name, the length of the file and the file, so that no two folders have one text. */
+/* Adds the length and text of the name, then the length and contents of the file. The lengths ensure that different
+ * folders give different data. */
 static bool hash_one(void *context, const char *path, const char *name, bool folder, char why[PACKAGE_WHY]) {
   hashing *h = context;
   char head[80];

@@ -45,15 +45,16 @@ static int by_name(const void *a, const void *b) {
   return strcmp(((const package_entry *)a)->name, ((const package_entry *)b)->name);
 }
 
-/* Returns the source for vs add, which the caller frees; NULL when memory is out. Paths start from the index's
- * folder. */
+/* Returns the address as a source for vs add, which the caller frees. A relative path begins at the index's folder.
+ * Returns NULL when memory is out. */
 static char *address_of(const char *address, const char *folder) {
   char *made = NULL;
   if (is_git_address(address) || *address == '/' || !*folder) return strdup(address);
   return asprintf(&made, "%s/%s", folder, address) < 0 ? NULL : made;
 }
 
-/* Adds a row. folder: the folder of the index, or NULL if the index came by git. Returns NULL, or the fault. */
+/* Adds a row of the index. folder: the folder of the index, or NULL if the index came by git. Returns NULL on success,
+ * otherwise the fault of the row. */
 static const char *take(package_index *x, cli_data row, const char *folder) {
   const cli_data_reader *r = &x->json;
   const char *name = cli_data_text(r, row, "name", NULL), *address = cli_data_text(r, row, "address", NULL);

@@ -19,7 +19,8 @@ const char *package_index_source(const char *given);
 /* Reads an index: a file, or the file vs-index.json of a folder or of an address of git. Fails with the reason in why.
  * In any case the caller calls package_index_free. */
 fetch_outcome package_index_read(package_index *x, const char *source, char why[PACKAGE_WHY]);
-const package_entry *package_index_find(const package_index *x, const char *name); /* returns NULL if there is none */
+const package_entry *package_index_find(const package_index *x, const char *name); /* returns NULL if the index has no
+                                                                                    * package of this name */
 void package_index_free(package_index *x);
 
 #endif

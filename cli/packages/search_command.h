@@ -4,7 +4,7 @@
 
 #include "cli/options.h"
 
-/* Prints the packages of the index that have all words in their names or descriptions. */
+/* Prints the packages of the index whose names or descriptions contain all words of the command line. */
 vs_outcome cli_search_command(const cli_options *o);
 
 #endif

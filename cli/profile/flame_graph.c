@@ -16,7 +16,7 @@ typedef struct { double x, used; uint32_t level; } bar;
 /* Sets x and level of each call: next to the calls before it that have the same caller. Returns the number of levels
  * that are drawn. */
 static uint32_t place_bars(const profile_tree *t, bar *bars, double scale) {
-  double top = 0; /* the width of the calls without caller so far */
+  double top = 0; /* sum of the widths so far of the calls that have no caller */
   uint32_t levels = 0;
   for (size_t i = 0; i < t->count; i++) {
     size_t caller = t->calls[i].caller;
@@ -84,7 +84,8 @@ bool profile_write_flames(const profile_tree *t, const char *title, FILE *to) {
   fprintf(to, ": %.3g s, %zu samples</text>\n", t->seconds, t->looks);
   for (size_t i = 0; i < t->count; i++) {
     double width = t->whole[i] * scale;
-    bars[i].used = HEAD + (double)(levels - 1 - bars[i].level) * LEVEL; /* from here on, the bar's upper edge */
+    bars[i].used = HEAD + (double)(levels - 1 - bars[i].level) * LEVEL; /* first the width of the bar that is used by
+                                                                         * calls; from here on the bar's upper edge */
     if (width >= LEAST) put_bar(t, i, &bars[i], width, to);
   }
   fputs("</svg>\n", to);

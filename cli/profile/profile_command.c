@@ -9,7 +9,7 @@
 #include "cli/profile/flame_graph.h"
 
 enum { MOST_LINES = 30, TEXT = 60 };
-static const double LEAST_SHARE = 0.002; /* lines with less of the time are not listed in the table */
+static const double LEAST_SHARE = 0.002; /* smallest share of the total time with which a line is listed in the table */
 
 static void print_table(const profile_tree *t) {
   printf("    own  total    memory  line\n");

@@ -30,7 +30,7 @@ static void number_lines(profile_tree *t, place *places) {
   }
 }
 
-/* Adds each call to its line, and once to each line among its callers. */
+/* Adds the time of each call to its own line, and once to each line among its callers. */
 static void sum_lines(profile_tree *t) {
   for (size_t i = 0; i < t->count; i++) {
     const vs_profile_call_info *c = &t->calls[i];

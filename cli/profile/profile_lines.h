@@ -11,9 +11,9 @@ typedef struct {
   vs_profile_call_info *calls; size_t count, room; /* the tree of calls; each comes after its caller */
   double *whole;             /* whole[i]: seconds of call i and of the calls that it makes */
   uint32_t *line_of;         /* line_of[i]: index of the line of call i */
-  profile_line *lines; size_t line_count; /* most time first */
+  profile_line *lines; size_t line_count; /* lines of the program, sorted by time, the most first */
   double seconds, bytes;     /* sums of all calls */
-  size_t looks;              /* number of samples */
+  size_t looks;              /* number of samples in the profile */
 } profile_tree;
 
 /* Reads the samples of the interpreter. Returns false when memory is out. profile_tree_free frees the tree. */

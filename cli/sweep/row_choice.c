@@ -39,7 +39,8 @@ static void trim(const char **from, const char **to) {
   while (*from < *to && (*to)[-1] == ' ') --*to;
 }
 
-/* Writes an operand: a number as it is, a name between bars, so that it may contain spaces. */
+/* Writes an operand of a comparison: a number as it is, and a name between bars (|name|), because a name may contain
+ * spaces. */
 static bool put_operand(FILE *to, const char *from, const char *end) {
   char *stop, text[200];
   trim(&from, &end);
@@ -51,7 +52,8 @@ static bool put_operand(FILE *to, const char *from, const char *end) {
   return true;
 }
 
-/* Returns the expression of the text, which the caller frees; NULL if it cannot be read. */
+/* Returns the text of --where as an expression of the language, which the caller frees. Returns NULL if the text cannot
+ * be read. */
 static char *expression_of(const char *where) {
   char *text = NULL;
   size_t size;
@@ -129,8 +131,8 @@ static void put_name(FILE *to, const char *name) {
   fputc('|', to);
 }
 
-/* Writes the expression with the part's parameters and numbers. A number that the part lacks is not a number, so
- * every comparison with it is false. */
+/* Writes the expression as the body of a let that binds the part's parameters and numbers. A missing number becomes
+ * NaN, so every comparison with it is false. */
 static void put_row(FILE *to, const sweep_table *t, const sweep_part *p, const char *expression) {
   fputs("(let (", to);
   for (size_t i = 0; i < t->column_count; i++) {
@@ -184,7 +186,7 @@ static bool filter(const sweep_table *t, const char *where, size_t *rows, size_t
 
 /* ---- --sort ---- */
 
-/* The value of a row in a sorted column: a number, or a text if it is none. */
+/* The value of a row in the column by which rows are sorted: a number, otherwise a text. */
 typedef struct { double number; const char *text; size_t row, place; } sorted;
 
 static int by_value(const void *a, const void *b) {

@@ -7,8 +7,8 @@
 /* Returns true if the text of --where can be read: "area<100,cost<=5", or an expression of the language such as
  * "(< area 100)". Otherwise prints a message. */
 bool sweep_where_reads(const char *where);
-/* Sets rows[i] to the indices of the chosen parts, in order, and *count to their number. where and sort may be NULL.
- * Returns false after a message. The rows then are all finished parts in their own order. */
+/* Sets rows to the indices of the chosen parts, in order, and *count to their number. where and sort may be NULL. After
+ * a message returns false; rows then are all finished parts in their own order. */
 bool sweep_choose_rows(const sweep_table *t, const char *where, const char *sort, size_t *rows, size_t *count);
 
 #endif

@@ -28,7 +28,7 @@ bool sweep_sample_read(const char *text, sweep_sample *out) {
 
 /* ---- sets ---- */
 
-/* Joins the choices of all axes to a set. */
+/* Joins one choice from each axis to a set of parameters. */
 static bool join(const sweep_axes *a, const sweep_set *choices, sweep_set *out) {
   size_t count = 0;
   for (size_t i = 0; i < a->count; i++) count += choices[i].count;
@@ -61,7 +61,8 @@ static bool combine(const sweep_axes *a, sweep_set *choices, sweep_set **sets, s
   return *sets != NULL;
 }
 
-/* Returns the choice of the axis at u, from 0 to below 1. A choice in a range is stored in *own. */
+/* Returns the choice at position u of the axis, where u is at least 0 and less than 1. Stores a choice from a range in
+ * *own. */
 static bool choice_at(const sweep_axes *a, const sweep_axis *axis, double u, sweep_set *out) {
   if (!axis->range) {
     size_t i = (size_t)(u * (double)axis->count);

@@ -50,8 +50,8 @@ typedef struct {
   const char *path, *at, *end;
   size_t line;          /* number of the current line, from 1 */
   char comma;           /* the separator: a comma, or a semicolon if the first row has more of these */
-  char *cell; size_t length, room; /* the last cell */
-  bool ends_row;        /* whether the last cell was the last of its row */
+  char *cell; size_t length, room; /* text of the cell that was read last */
+  bool ends_row;        /* whether the cell that was read last ends its row */
 } csv;
 
 static bool put_byte(csv *c, char byte) {
@@ -184,7 +184,8 @@ static bool put_object(const cli_data_reader *r, sweep_memory *m, const char *pa
   return at && sweep_axis_put(axis, (sweep_set){at, count});
 }
 
-/* A list of sets, an object of named sets, or one set. OpenSCAD's customizer keeps named sets in "parameterSets". */
+/* Adds the sets of a JSON value: a list of sets, an object of named sets, or a single set. OpenSCAD's customizer keeps
+ * named sets in "parameterSets". */
 static bool put_sets(const cli_data_reader *r, sweep_memory *m, const char *path, cli_data whole, sweep_axis *axis) {
   cli_data scad = cli_data_at(r, whole, "parameterSets"), sets = scad ? scad : whole;
   bool ok = true;

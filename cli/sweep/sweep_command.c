@@ -27,17 +27,18 @@
 #include "cli/sweep/sweep_results.h"
 #include "model/store/array.h"
 
-enum { PATH_ROOM = 4096, WAIT = 200 /* milliseconds until a signal is noticed that came between two calls */ };
+enum { PATH_ROOM = 4096, WAIT = 200 /* greatest milliseconds until a signal is noticed that arrives just before a
+                                     * wait */ };
 enum { THUMB_WIDTH = 480, THUMB_HEIGHT = 360 }; /* size of a picture without --size */
 
 /* A process that runs a part. */
 typedef struct {
   sweep_part *part;
   pid_t process;
-  int numbers;                 /* reading end of the pipe */
+  int numbers;                 /* reading end of the pipe that brings the part's numbers */
   int read, messages;          /* descriptors of the files for the names of files read and for messages, or -1 */
-  struct timespec began, clock; /* the time of day and the clock at its start */
-  char *text; size_t length, room; /* the numbers so far: name, NUL, value, NUL, ... */
+  struct timespec began, clock; /* time of day and monotonic clock at the start of the process */
+  char *text; size_t length, room; /* text received so far from the pipe: name, NUL, value, NUL, ... */
 } runner;
 
 typedef struct {
@@ -45,16 +46,16 @@ typedef struct {
   const cli_options *options;
   const volatile sig_atomic_t *ended;
   int (*run)(cli_options *o);
-  sweep_manifest *manifest;    /* NULL without a folder */
+  sweep_manifest *manifest;    /* NULL if the sweep has no folder for outputs */
   vs_scheme *inputs;           /* an interpreter that records the files read, which no output may replace */
   FILE *told;                  /* the stream for the lines about parts */
   runner *runners; size_t jobs, running;
   struct pollfd *polled;
   uint64_t *messages; size_t message_count, message_room; /* hashes of the messages printed so far */
   bool unknown;                /* whether the model lacks a parameter of the sets */
-  bool made;                   /* whether a part was made, so that its worker is there */
+  bool made;                   /* whether a part succeeded, so that the external worker is known to work */
   bool unwritten;              /* whether the manifest could not be written */
-  bool trying;                 /* whether the parts run without outputs, for the names of the files that they read */
+  bool trying;                 /* whether parts run without outputs, only to learn which files they read */
 } sweep;
 
 /* ---- in the process of a part ---- */
@@ -168,7 +169,7 @@ static bool start(sweep *w, sweep_part *p) {
   return false;
 }
 
-/* Returns the contents of the file without a name, which the caller frees, and closes it. NULL if there are none. */
+/* Returns the contents of the unnamed file, which the caller frees, or NULL if it is empty. Closes the file. */
 static char *take_file(int file, size_t *length) {
   struct stat is;
   char *text = NULL;
@@ -198,7 +199,7 @@ static void take_numbers(sweep *w, runner *r) {
   size_t count = 0;
   for (size_t i = 0; i < r->length; i++) count += r->text[i] == 0;
   sweep_number *at = sweep_keep(&w->plan.memory, count / 2 + 1, sizeof *at);
-  /* The column of a parameter of the sweep is in the table already. */
+  /* skips a number whose name is a parameter of the sweep, since the table already has that column */
   for (const char *name = r->text, *end = r->text + r->length; at && name < end;) {
     const char *value = memchr(name, 0, (size_t)(end - name));
     const char *last = value ? memchr(value + 1, 0, (size_t)(end - value - 1)) : NULL;
@@ -242,8 +243,8 @@ static void clear(sweep_part *p) {
                     .file_count = p->file_count, .repeats = p->repeats};
 }
 
-/* Starts the part again if chance may have ended its run: a signal, or a failure of a worker that did work. An error of
- * the model, and a limit, would come again. */
+/* Starts the part again if its run was killed, or if a worker that has worked before failed. Another run after an error
+ * of the model or a limit would fail in the same way. */
 static bool repeat(sweep *w, sweep_part *p, bool killed) {
   bool chance = killed || (p->code == VS_OUTCOME_WORKER && w->made);
   if (!chance || p->repeats >= w->options->retries || stops(w)) return false;
@@ -294,7 +295,7 @@ static void finish(sweep *w, runner *r) {
   free(text);
 }
 
-/* Reads the numbers that have come. Returns true if the process has closed its pipe. */
+/* Reads the numbers that have arrived through the pipe. Returns true if the process has closed its pipe. */
 static bool hear(runner *r) {
   if (!VS_GROW(r->text, r->room, r->length + 4096)) return true;
   ssize_t n = read(r->numbers, r->text + r->length, r->room - r->length);
@@ -373,7 +374,8 @@ static bool write_file(const sweep *w, const char *path, const size_t *rows, siz
   return fprintf(stderr, "vs sweep: cannot write %s: %s\n", path, strerror(errno)), false;
 }
 
-/* Writes the table and the sheet of the chosen rows. A sweep of a range into a folder writes none. */
+/* Writes the table and the contact sheet of the chosen rows. Writes neither for a range of parts (--only) with a
+ * folder. */
 static bool write_results(sweep *w) {
   const cli_options *o = w->options;
   const sweep_plan *p = &w->plan;
@@ -390,7 +392,8 @@ static bool write_results(sweep *w) {
   return ok;
 }
 
-/* Prints the numbers of parts by their fates. Returns the outcome of the first part that failed. */
+/* Prints how many parts were made, are up to date, failed or were not tried. Returns the outcome of the first part that
+ * failed. */
 static vs_outcome sum_up(const sweep *w, bool *complete) {
   const sweep_table *t = &w->plan.table;
   size_t of[SWEEP_FAILED + 1] = {0};
@@ -421,9 +424,8 @@ static bool may_write_all(const sweep *w) {
 
 static bool exists(const char *path) { return path && access(path, F_OK) == 0; }
 
-/* If outputs would replace files that no earlier sweep into this folder has made, first runs all parts without outputs,
- * since a part may read the output of another. Returns false, after a message and before anything is written, if an
- * output is an input. */
+/* Called if outputs would replace files that no earlier sweep made. First runs all parts without outputs, since a part
+ * may read the output of another part. Returns false, after a message, if an output is an input. */
 static bool try_parts(sweep *w) {
   const sweep_plan *p = &w->plan;
   bool any = exists(p->table_path) || exists(p->sheet_path) || !sweep_manifest_is_new(w->manifest);
@@ -445,7 +447,7 @@ static vs_outcome run_sweep(sweep *w) {
   if (p->folder && !(w->manifest = sweep_manifest_open(&w->plan.table, p->folder, p->only))) return VS_OUTCOME_USAGE;
   if (p->folder && !try_parts(w)) return sweep_manifest_abandon(w->manifest), VS_OUTCOME_USAGE;
   run_all(w);
-  vs_outcome outcome = sum_up(w, &complete); /* of a sweep that joins, parts may be missing */
+  vs_outcome outcome = sum_up(w, &complete); /* when a sweep only joins parts, parts may be missing */
   if (*w->ended) return VS_OUTCOME_INTERRUPTED;
   if (w->unknown) return VS_OUTCOME_USAGE;
   bool ok = !w->unwritten && write_results(w);

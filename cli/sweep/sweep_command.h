@@ -12,7 +12,8 @@ vs_outcome cli_sweep_command(const cli_options *o, const volatile sig_atomic_t *
 
 /* In the process of a part: sends the numbers that the model reported. */
 void cli_sweep_tell(int to, const vs_scheme *s);
-/* In the process of a part: sends that the model lacks a parameter of the set, as it will in all parts. */
+/* In the process of a part: sends that the model lacks a parameter of the set. Other parts would have this error,
+ * too. */
 void cli_sweep_tell_unknown(int to);
 
 #endif

@@ -22,23 +22,23 @@
 
 enum { PATH_ROOM = 4096 };
 
-/* A file that runs have read, with the hash of its contents at a time. */
+/* A file that runs have read, with the hash of the contents that they read. */
 typedef struct { const char *path; uint64_t hash; } input;
 typedef enum { UNKNOWN, CURRENT, CHANGED } state;
-/* The files of one run. state: whether they still have these contents. */
+/* The files that one run has read. state: whether the files still have the contents that the run read. */
 typedef struct { uint64_t id; const input *at; size_t count; state state; } group;
 /* A line about a part. order: its position among all lines. rank: how much the line says of the present part. */
 typedef enum { OUTDATED, HAS_FAILED, IS_DONE } rank;
 typedef struct { uint64_t key, inputs; size_t order; const char *line; size_t length; bool done; rank rank; } saved;
-/* A file whose contents were hashed, with its state then. */
+/* A file whose contents were hashed, with its system state (size, times) at that moment. */
 typedef struct { const char *path; uint64_t hash; struct stat is; } hashed;
 
 struct sweep_manifest {
   sweep_table *table;
   const char *folder;
   char path[PATH_ROOM];
-  int file, shared;      /* descriptors of the locked files, or -1. shared: of a sweep of a range, the whole sweep's
-                          * manifest */
+  int file, shared;      /* descriptors of the locked manifests, or -1. shared: the whole sweep's manifest, while a
+                          * range of it (--only) runs */
   bool is_new;           /* whether the file was empty or missing */
   bool torn, failed;     /* torn: the file does not end in a line end. failed: a message was printed */
   group *groups; size_t group_count, group_room;
@@ -75,7 +75,8 @@ static bool same_file(const struct stat *a, const struct stat *b) {
          a->st_mtim.tv_nsec == b->st_mtim.tv_nsec;
 }
 
-/* Returns the hash of the file, from the table if it has not changed. Sets *is. Returns false if it cannot be read. */
+/* Returns the hash of the file; takes it from the table if the file has not changed. Sets *is to the file's system
+ * state. Returns false if the file cannot be read. */
 static bool hash_of(sweep_manifest *m, const char *path, uint64_t *out, struct stat *is) {
   size_t i = 0;
   if (stat(path, is) != 0) return false;
@@ -201,8 +202,8 @@ static int by_key(const void *a, const void *b) {
   return x->order < y->order ? -1 : x->order > y->order;
 }
 
-/* Sorts the lines by key, and keeps one of each: a done part, then a failed one, then the last. The manifests of ranges
- * are read in no order. */
+/* Sorts the lines by part, and keeps one line of each: the line of a done part if there is one, otherwise that of a
+ * failed part, otherwise the last. */
 static void index_lines(sweep_manifest *m) {
   size_t kept = 0;
   for (size_t i = 0; i < m->saved_count; i++) {
@@ -299,7 +300,7 @@ void sweep_manifest_close(sweep_manifest *m) {
 
 /* ---- parts that are up to date ---- */
 
-/* Reads the part's outputs and numbers from its line. Returns false if an output is another or has changed. */
+/* Reads the part's outputs and numbers from its line. Returns false if an output has another name or has changed. */
 static bool take_results(sweep_manifest *m, sweep_part *p, cli_data line) {
   const cli_data_reader *r = &m->reader;
   cli_data files = cli_data_at(r, line, "files"), numbers = cli_data_at(r, line, "numbers");
@@ -395,7 +396,7 @@ static void write_part(FILE *to, const sweep_table *t, const sweep_part *p) {
   fputs("}}\n", to);
 }
 
-/* Appends the text of the stream to the manifest as one write. A write that is cut short is taken back. */
+/* Appends the text to the manifest by one write. If only a part could be written, removes that part again. */
 static bool append(sweep_manifest *m, FILE *text, char *const *at, const size_t *length) {
   struct stat is;
   if (fclose(text) != 0) return sweep_no_memory();
@@ -464,7 +465,7 @@ static int by_number(const void *a, const void *b) {
   return x < y ? -1 : x > y;
 }
 
-/* Writes the lines of earlier sweeps that this one does not repeat, and then those of this sweep. */
+/* Writes the lines of parts of earlier sweeps that this sweep does not contain, and then the lines of this sweep. */
 static bool write_all(sweep_manifest *m, FILE *to) {
   const sweep_table *t = m->table;
   uint64_t *keys;

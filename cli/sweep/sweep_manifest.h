@@ -23,22 +23,23 @@ bool sweep_manifest_is_new(const sweep_manifest *m); /* returns true if the mani
 bool sweep_manifest_note_inputs(const sweep_manifest *m, vs_scheme *s);
 void sweep_manifest_abandon(sweep_manifest *m); /* removes the file if it is new and empty */
 /* Returns true if the manifest lists the part, and neither the files that its run read nor its outputs have changed.
- * The part then has its results. */
+ * Sets the part's results. */
 bool sweep_manifest_stands(sweep_manifest *m, sweep_part *p);
 /* Returns true if the manifest lists the part as done, and the files that its run read have not changed; its outputs
  * are not read. Sets the part's seconds. */
 bool sweep_manifest_is_listed(sweep_manifest *m, sweep_part *p);
-/* Returns true if the last line about the part says that it failed, and the files that its run read have not changed.
- * The part then has its code and its message. */
+/* Returns true if the part's last line is a failure, and the files that its run read have not changed. Sets the part's
+ * code and message. */
 bool sweep_manifest_failed(sweep_manifest *m, sweep_part *p);
-/* Returns the hash of the names and contents of these files, each name ending in NUL. Returns 0 if one of them has
- * changed since the run began, so that nobody knows which contents it read. */
+/* Returns the hash of the names and contents of these files, each name ending in NUL. Returns 0 if a file has changed
+ * since the run began. */
 uint64_t sweep_manifest_inputs(sweep_manifest *m, const char *names, size_t length, struct timespec began);
 /* Appends the line of a finished part. Returns false after a message. */
 bool sweep_manifest_add(sweep_manifest *m, const sweep_part *p);
 /* Replaces all manifests of the folder by one without repeated and outdated lines. Returns false after a message. */
 bool sweep_manifest_join(sweep_manifest *m);
-/* In a process that outlives a killed sweep by a moment: closes the files, whose lock would last as long. */
+/* Closes the locked files in a process of a part, which may outlive a killed sweep, so that the locks end with the
+ * sweep. */
 void sweep_manifest_let_go(const sweep_manifest *m);
 const char *sweep_manifest_path(const sweep_manifest *m);
 void sweep_manifest_close(sweep_manifest *m); /* m may be NULL */

@@ -31,7 +31,7 @@ static bool no_format(const char *path) {
   return false;
 }
 
-/* Sets the folder of the sweep; all outputs are in one. */
+/* Sets the folder of the sweep. Fails if outputs are in different folders. */
 static bool set_folder(sweep_plan *p, const char *path, size_t length) {
   while (length > 1 && path[length - 1] == '/') length--;
   char *folder = sweep_keep_text(&p->memory, path, length);
@@ -131,7 +131,7 @@ static int by_name(const void *a, const void *b) {
   return order ? order : x < y ? -1 : x > y;
 }
 
-/* Returns the hash of all that determines a part's results, except its set and the contents of files. */
+/* Returns the hash of the options that determine a part's results, without its set and the contents of files. */
 static uint64_t hash_options(const sweep_plan *p) {
   const cli_options *o = p->options;
   const char *version = vs_version(), *folders = o->library_path ? o->library_path : "";

@@ -4,7 +4,8 @@
 
 #include "cli/batch/part_states.h"
 
-/* Sets *out, whose member `at` the caller frees, by the manifests in the folder. Returns false after a message. */
+/* Reads the manifests in the folder, and sets *out to the states of the sets. The caller frees out->at. Returns false
+ * after a message. */
 bool cli_sweep_states(const cli_options *o, const char *folder, cli_part_states *out);
 
 #endif
