@@ -200,7 +200,7 @@ static bool advise_unbound(place p, vs_span at, vs_text *t) {
   if (!call && !vs_text_advise_operator(view_of(p), t)) return false;
   if (t->count != before) return true;
   if (line >= at.line && line) {
-    t->count = bare; /* removes the advice that was appended about a similar name */
+    t->count = bare; /* removes the advice about a similar name that was appended before */
     return vs_text_printf(t, " yet: line %u defines it, after this use; move the definition up", (unsigned)line);
   }
   if (is_assignment(p, n, &value, &m)) {

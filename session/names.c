@@ -95,8 +95,8 @@ static bool put_call(vs_text *t, vs_value f, const char *name) {
   return !form || put(t, "(", name, form + 1 + strcspn(form + 1, " )"));
 }
 
-/* Returns the native procedure that the procedure `name` of geometry.scm calls, such as %subtract for subtract. The
- * native's row in the table of procedures describes the caller, too. Returns #f if there is no such native. */
+/* Returns the native procedure that the library's procedure `name` calls, such as %subtract for subtract, or #f if it
+ * calls none. Both have the same description in the table of procedures. */
 static vs_value helper_of(vs_scheme *vm, const char *name) {
   char room[80];
   vs_value symbol, value;

@@ -22,7 +22,7 @@ typedef struct {
   char *name, *text;
   size_t name_bytes, length, room, lines /* lines: number of line ends in the text */;
   unsigned first_line;
-  bool before; /* whether the source was read before the last vs_restart, and has not been read again since */
+  bool before; /* whether the source was read before the last vs_restart but not since then */
 } vs_source;
 
 enum { VS_STREAMS = 64 };

@@ -8,8 +8,7 @@
  * text's beginning. */
 typedef struct { const char *start, *at, *end; uint32_t first_line; } vs_text_place;
 
-/* Each function below appends advice to the error's text t, or replaces t. If it has no advice, it does not change t.
- * It returns false when memory is out. */
+/* ---- advice: each function appends to the error's text t or replaces it, and returns false when memory is out ---- */
 
 /* Advises if the name of the called value is a parameter or a variable that hides a procedure of the language. Replaces
  * t. */

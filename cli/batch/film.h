@@ -17,8 +17,8 @@ typedef struct {
   bool resume;
 } cli_frames;
 
-/* The option --tiles: the picture is made in columns times rows tiles, which are then joined. columns is 0 without the
- * option. from and to are the first and the last tile to make, counted from 1. */
+/* The option --tiles: the picture is made in columns times rows tiles, and these are joined. Without the option,
+ * columns is 0. from, to: first and last tile to make, counted from 1. */
 typedef struct { long columns, rows, from, to; } cli_tiles;
 
 enum { CLI_FRAME_ROOM = 40 };

@@ -5,11 +5,11 @@
 #include "cli/batch/part_states.h"
 #include "cli/cluster/job_record.h"
 
-/* Returns the number of parts in a bundle, chosen so that a bundle runs for one to ten minutes on a cluster, or for a
- * few seconds on one machine. seconds: duration of a part, or 0 if unknown. */
+/* Returns the number of parts in a bundle. A bundle should run for one to ten minutes on a cluster, or a few seconds on
+ * one machine. seconds: duration of a part, or 0 if unknown. */
 size_t job_bundle_size(double seconds, size_t parts, bool cluster);
-/* Divides all parts from `first` on that are missing or were killed into the record's bundles. With states NULL, takes
- * all parts from `first` on. Returns false after a message. */
+/* Divides into bundles all parts, beginning with `first`, that are missing or were killed. With states NULL, takes
+ * parts in any state. Returns false after a message. */
 bool job_bundles_make(job_record *r, const cli_part_state *states, size_t first);
 /* Writes jobs/bundles.sh, which makes the bundle whose number is its argument, and jobs/join.sh, which joins the parts.
  * Returns false after a message. */

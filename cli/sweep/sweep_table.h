@@ -10,7 +10,7 @@
 /* Memory for the texts and sets of a sweep, freed together. */
 typedef struct sweep_block sweep_block;
 typedef struct { sweep_block *last; } sweep_memory;
-/* Return memory that lives until sweep_memory_free, or NULL after a message when memory is out. */
+/* Returns memory that lives until sweep_memory_free, or NULL after a message when memory is out. */
 void *sweep_keep(sweep_memory *m, size_t count, size_t size);
 char *sweep_keep_text(sweep_memory *m, const char *text, size_t length);
 void sweep_memory_free(sweep_memory *m);
@@ -27,16 +27,16 @@ typedef struct { size_t column; double value; } sweep_number;
 typedef struct { const char *path; uint64_t hash; } sweep_file;
 
 typedef enum { SWEEP_NOT_TRIED, SWEEP_MADE, SWEEP_STANDS, SWEEP_FAILED } sweep_fate;
-enum { SWEEP_KILLED = 137 /* the code of a run that a signal ended */ };
+enum { SWEEP_KILLED = 137 /* the exit code of a run that a signal ended */ };
 /* A set of the sweep with its results. */
 typedef struct {
   sweep_set set;
-  const char *name;      /* the part of file names for the set, such as house-n=1,x=0.5 */
-  size_t same;           /* index of the first part with the same set, mostly its own */
-  uint64_t key;          /* hash of all that determines the results, except the contents of files */
+  const char *name;      /* text for the set in file names, such as house-n=1,x=0.5 */
+  size_t same;           /* index of the first part with an equal set of parameters, usually this part itself */
+  uint64_t key;          /* hash of everything that determines the results, without the contents of files */
   uint64_t inputs;       /* hash of the names and contents of the files that the run read; 0: unknown */
   sweep_fate fate;
-  unsigned repeats;      /* number of runs that were killed, or whose worker failed, before the last */
+  unsigned repeats;      /* number of earlier runs of the part that were killed, or whose worker failed */
   int code;              /* exit code of a failed run */
   const char *message;   /* first line of a failed run's messages, or NULL */
   double seconds;
@@ -47,17 +47,18 @@ typedef struct {
 typedef struct {
   sweep_memory *memory;
   sweep_part *parts; size_t count;
-  const char **columns; size_t column_count, column_room; /* names of the parameters, in order */
-  const char **numbers; size_t number_count, number_room; /* names of the numbers, in the order of first report */
+  const char **columns; size_t column_count, column_room; /* names of the parameters that the sweep varies, in order */
+  const char **numbers; size_t number_count, number_room; /* names of the numbers that the model reports, in the order
+                                                           * of their first report */
 } sweep_table;
 
 /* Returns the index of the name in the table's numbers, which it adds if necessary; SIZE_MAX when memory is out. */
 size_t sweep_number_column(sweep_table *t, const char *name, size_t length);
-/* Returns the value of a parameter of the part, or NULL. */
+/* Returns the part's value of a parameter, or NULL if the part does not set it. */
 const char *sweep_value(const sweep_part *p, const char *name);
-/* Returns the number of the column of the part; NaN if the part has none. */
+/* Returns the number that the part reported for a column of the table; NaN if it reported none. */
 double sweep_number_of(const sweep_part *p, size_t column);
 
-bool sweep_no_memory(void); /* prints a message and returns false */
+bool sweep_no_memory(void); /* reports that memory is out, and returns false */
 
 #endif

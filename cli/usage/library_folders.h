@@ -6,8 +6,8 @@
 
 /* Appends folders, separated by ':', to o->library_path. Returns false after a message when memory is out. */
 bool cli_add_folders(cli_options *o, const char *folders);
-/* Appends the folder of packages that belongs to the first program. Returns false after a message if a package is not
- * as its lock says. */
+/* Appends the folder of packages that belongs to the first program. Returns false after a message if a package differs
+ * from its record in vs.lock. */
 bool cli_add_packages(cli_options *o);
 
 #endif

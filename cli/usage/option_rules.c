@@ -17,7 +17,7 @@
 
 static bool refuse(const char *message) { return fputs(message, stderr), false; }
 
-/* Returns true if the options with --tiles go together. Otherwise prints a message. */
+/* Returns true if the options that are given with --tiles go together. Otherwise prints a message. */
 static bool tiles_fit(cli_options *o) {
   const char *ending = o->target_count ? cli_ending_of(o->targets[0].path) : NULL, *wrong = NULL;
   if (o->command != CLI_COMMAND_render) wrong = "it is for vs render";
@@ -33,7 +33,7 @@ static bool tiles_fit(cli_options *o) {
   return fprintf(stderr, "vs: --only %s: expected numbers of tiles, at most 1..%ld\n", o->only, all), false;
 }
 
-/* Returns true if the models and the outputs are seen from a copy of the present folder. */
+/* Returns true if the command line names all models and outputs by relative paths, as --pack requires. */
 static bool packs(const cli_options *o) {
   bool ok = o->target_count > 0;
   for (size_t i = 0; i < o->source_count; i++) ok = ok && o->sources[i].text[0] != '/';
@@ -41,8 +41,8 @@ static bool packs(const cli_options *o) {
   return ok;
 }
 
-/* Returns true if the options about bundles and joining are given to a command that has them. Otherwise prints a
- * message. */
+/* Returns true if the options about clusters, such as --bundle and --join, are given to a command that accepts them.
+ * Otherwise prints a message. */
 static bool cluster_fits(const cli_options *o) {
   const cli_cluster *c = &o->cluster;
   bool batch = o->command == CLI_COMMAND_render || o->command == CLI_COMMAND_sweep;
@@ -62,7 +62,7 @@ static bool cluster_fits(const cli_options *o) {
   return false;
 }
 
-/* Returns true if the command can run again without a person. Otherwise prints a message. */
+/* Returns true if --watch can run the command again without input from a person. Otherwise prints a message. */
 static bool watch_fits(const cli_options *o) {
   bool stdin_read = false;
   for (size_t i = 0; i < o->source_count; i++) stdin_read = stdin_read || !strcmp(o->sources[i].text, "-");
@@ -111,7 +111,8 @@ static bool own_options_fit(const cli_options *o, unsigned takes) {
   return true;
 }
 
-/* Reads the files of --set of vs render, and --only without --frames and --tiles. Returns false after a message. */
+/* Reads the files of --set of vs render. Also reads --only if --frames and --tiles are not given. Returns false after a
+ * message. */
 static bool pairs_fit(cli_options *o) {
   const char **given = o->sets;
   size_t count = o->set_count;

@@ -1,9 +1,7 @@
-/* Samples the calls of a running program. A sample adds the time since the previous sample to a node of a tree. The
- * node is the running procedure at its place; its parent is the caller. Time in the library counts for the program's
- * call that led there.
+/* Samples the calls of a running program. A sample adds the time since the previous sample to a node of a tree: the
+ * running procedure, whose parent is its caller. Time in the library counts for the program's call that led there.
  *
- * Samples are taken after a number of calls, not of seconds. The error in the time of a place is at most the time
- * between two samples. */
+ * Samples are taken after a number of calls, not of seconds. */
 #include "session/profile/call_profile.h"
 
 #include <stdlib.h>
@@ -32,7 +30,7 @@ typedef struct vs_call_profile {
   size_t summed;            /* number of samples that the rows include */
   size_t looks;
   double looked, allocated; /* at the last sample: clock in seconds, and number of bytes allocated so far */
-  double whole;             /* sum of the seconds of all samples */
+  double whole;             /* sum of the seconds that all samples cover */
   uint32_t slots[SLOTS];
 } profile;
 
