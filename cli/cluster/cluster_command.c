@@ -46,8 +46,8 @@ static bool set_text(job_record *r, const char **to, const char *format, double 
   return (*to = sweep_keep_text(&r->memory, text, strlen(text))) != NULL;
 }
 
-/* Sets the limits that the user has not given. Time: three times that of a bundle, plus five minutes. Memory: that of
- * the measured part, plus half, for each part that runs at a time. */
+/* Sets the limits that the user has not given. Time: three times that of a bundle, plus five minutes. Memory: 1.5 times
+ * that of the measured part, for each part that runs at a time, plus 256 MB. */
 static bool set_limits(job_record *r, const job_use *use) {
   bool sweeps = !strcmp(r->command, "sweep");
   double busy = use->seconds > 0 ? use->processor / use->seconds : 1;

@@ -22,8 +22,8 @@ void job_put_unpack(FILE *to, const job_record *r);
 
 /* Returns the command line of a `vs` that makes the parts of the range. job_run runs it; the caller frees the array. */
 const char **job_words_of(const job_record *r, const char *range);
-/* Returns the command line of a `vs` that joins all parts, or with `again` of a `vs` that makes all parts. `option` is
- * its last word. */
+/* Returns the command line of a `vs` that joins or makes all parts. `option`, with `value` unless it is NULL, is its
+ * first option. The caller frees the array. */
 const char **job_words_of_all(const job_record *r, const char *option, const char *value);
 
 #endif
