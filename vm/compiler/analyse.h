@@ -15,16 +15,17 @@ typedef struct vs_var_info {
   bool boxed;                /* whether the register contains a box, because the variable is captured before it has a
                               * value (assigned variables always have boxes) */
   bool early;                /* whether a reference may be evaluated before the variable has its value */
-  bool loop;                 /* whether the value is a LAMBDA that runs in the activation of its FIX, so that its calls
-                              * are jumps */
-  bool emitted;              /* for loops: whether the loop was compiled, so that `top` is set */
+  bool loop;                 /* whether the value is a LAMBDA that runs in the activation (the registers) of the
+                              * procedure around it, so that its calls are jumps */
+  bool emitted;              /* for loops: whether the loop was compiled, so that the member `top` is set */
   uint32_t top;              /* for loops: index of the loop's first instruction */
 } vs_var_info;
 
 /* Facts about a LAMBDA with an activation of its own; vs_core_node.as.lambda.extra points to it. */
 typedef struct vs_lambda_info {
   vs_core_node *parent;           /* the enclosing LAMBDA, or NULL */
-  uint32_t made;             /* moment at which the parent creates the closure, as in vs_var_info.ready */
+  uint32_t made;             /* moment (a number that analyse.c assigns to nodes) at which the enclosing LAMBDA creates
+                              * the closure */
   vs_var **free; uint32_t free_count, free_room;
   bool *early;               /* early[i]: whether the closure is created before free[i] has a value */
   uint32_t *index, index_room;   /* index: hash table of positions in `free` if it has many elements; each entry is 0 or

@@ -155,7 +155,6 @@ static bool is_test(const vs_inline_row *row, const vs_core_node *n) {
   return row && (row->way == VS_WAY_TEST || row->way == VS_WAY_TYPE) && n->count == row->args;
 }
 
-/* Records that the next instruction replaces the call n of a global procedure. */
 static bool stands_for(compiler *c, const vs_core_node *n) {
   uint32_t k;
   VS_ASSERT(n->kind == VS_AST_CALL && n->as.call.callee->kind == VS_AST_GLOBAL);
@@ -174,7 +173,7 @@ static bool near(compiler *c, uint32_t *reg, unsigned i) {
   return true;
 }
 
-/* Operands B and C of an instruction. registers: how many of them are registers (0 to 2); registers precede
+/* Operands B and C of an instruction. registers: how many of the two are registers (0 to 2); the others are
  * constants. */
 typedef struct { uint32_t b, c; unsigned registers; } operands;
 
@@ -189,8 +188,8 @@ static bool emit_value_op(compiler *c, const vs_core_node *n, unsigned op, uint3
   return vs_emit_word(&c->e, VS_INSX(VS_O_FARSTORE, target, to));
 }
 
-/* Evaluates the arguments of a call to new consecutive registers. Sets *first to the first of them. Sets *ok to false,
- * without evaluating, if instructions cannot name that many registers. */
+/* Evaluates the arguments of a call to new consecutive registers, and sets *first to the first register. Sets *ok to
+ * false, without evaluating, if the registers have numbers that instructions cannot name. */
 static bool in_a_row(compiler *c, vs_core_node *n, uint32_t *first, bool *ok) {
   *ok = c->e.next + n->count < VS_NEAR;
   if (!*ok) return true;
@@ -496,8 +495,8 @@ static bool gen_call(compiler *c, vs_core_node *n, uint32_t to, bool fresh) {
   if (to == EFFECT) ok = ok && vs_emit_op(e, VS_O_DROP, w, 0, 0);      /* DROP also tells the interpreter that the value
                                                                         * of the call is not used */
   e->next = keep;
-  return ok && finish(c, w, to);        /* a value is handled even after a tail call, since a call of a native returns
-                                         * here */
+  return ok && finish(c, w, to);        /* moves the value to its target even after a tail call, since a native
+                                         * procedure returns to this instruction */
 }
 
 /* Returns true if evaluating n reads v, or if that is not certain. */
@@ -614,7 +613,8 @@ static bool gen_run(compiler *c, vs_core_node *n, uint32_t from, uint32_t to) {
       if (vs_info(g)->fix != n || boxed(g) || vs_info(g)->lambda != e->lambda) continue;
       uint32_t j = i;
       while (j < to && n->as.let.vars[j] != g) j++;
-      if (j == to) continue;                   /* g had its value before v's closure was created */
+      if (j == to) continue;                   /* variable g has its value already when the closure of variable v is
+                                                * created */
       uint32_t closure = v->reg;
       if (boxed(v) && (!vs_emit_register(e, &temp) || !vs_emit_op(e, VS_O_UNBOX, temp, v->reg, 0))) return false;
       if (boxed(v)) closure = temp;

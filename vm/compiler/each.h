@@ -25,19 +25,17 @@ enum {
  * a limit is reached. */
 bool vs_each_keep(vs_scheme *vm, vs_value *row);
 
-/* Completes a row of registers: sets row[VS_EACH_RESULTS] to the final list. Returns false when memory is out or a
- * limit is reached. */
+/* Completes the list of results in row[VS_EACH_RESULTS]; row: the registers of an instruction EACH. Returns false when
+ * memory is out or a limit is reached. */
 bool vs_each_end(vs_scheme *vm, vs_value *row);
 
-/* Called when a procedure that EACH has called is about to return v. base: the procedure's activation. Adds v to the
- * results, and prepares the next call in the same activation. No continuation was created during the call, since it
- * would have moved the row of registers. Returns 1 if the list has a next element, and 2 if it has none. Returns 0,
- * without effect, if the instruction MORE must do this instead. Allocates only in the nursery, and moves no objects. */
+/* Called when a procedure that EACH has called is about to return v. Adds v to the results and prepares the next call.
+ * Returns 1 if the list has a next element, 2 if it has none, 0 if the instruction MORE must do this instead. */
 static inline int vs_each_again(vs_scheme *vm, vs_value *base, vs_value v) {
   vs_value *row = base - 2 - VS_EACH_WINDOW, last = row[VS_EACH_LAST], list = row[VS_EACH_LIST];
   if (base[-2] != row[VS_EACH_PROCEDURE] || vm->fuel <= 1) return 0;
   if (last == VS_FALSE) {
-    if (vs_is_object(v)) return 0;        /* MORE must report the unused value */
+    if (vs_is_object(v)) return 0;        /* the instruction MORE must report the unused value of the call */
   } else {
     if (vs_is(v, VS_T_VALUES) || vm->end - vm->free < (ptrdiff_t)sizeof(vs_pair)) return 0;
     if (last != VS_NIL && !vs_gc_is_young(vm, vs_as_pair(last))) return 0;
@@ -56,8 +54,8 @@ static inline int vs_each_again(vs_scheme *vm, vs_value *base, vs_value v) {
   return 1;
 }
 
-/* Register `which` of the row of the instruction EACH (each.h). base: the activation of the procedure that EACH has
- * called. */
+/* Register `which` of the consecutive registers of the instruction EACH. base: the activation of the procedure that
+ * EACH has called. */
 #define VS_EACH_BELOW(base, which) ((base)[(which) - VS_EACH_WINDOW - 2])
 
 #endif

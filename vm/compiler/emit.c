@@ -95,8 +95,8 @@ bool vs_emit_back(vs_emit *e, unsigned op, uint32_t target) {
 void vs_emit_here(vs_emit *e, vs_jumps list) {
   while (list) {
     uint32_t at = list - 1, before = e->ins[at];
-    VS_ASSERT(at < e->count && before < list); /* goes backwards through the jumps: each offset word contains the list
-                                                * of the jumps before it */
+    VS_ASSERT(at < e->count && before < list); /* goes backwards through the list of jumps: the offset word of each jump
+                                                * contains the list of the jumps before it */
     e->ins[at] = (uint32_t)(e->count - at - 1);
     list = before;
   }

@@ -19,8 +19,8 @@ typedef struct vs_emit {
   vs_ast *ast;
   vs_core_node *lambda;                     /* LAMBDA that is being compiled */
   uint32_t next, most;                /* next: first free register; most: number of registers used */
-  uint32_t fresh;                     /* register that was allocated for the next expression's value, and contains no
-                                       * value yet */
+  uint32_t fresh;                     /* register that was allocated for the value of the next expression, and does not
+                                       * contain it yet */
   uint32_t *ins; size_t count, room;
   uint32_t *consts; size_t const_count, const_room;          /* constants of the procedure, as indices into the tree's
                                                               * pool */
@@ -34,8 +34,9 @@ typedef uint32_t vs_jumps;            /* List of jumps whose targets are not kno
                                        * jump's offset word, which contains the list of the jumps before it. */
 
 void vs_emit_close(vs_emit *e);
-bool vs_emit_register(vs_emit *e, uint32_t *out);                         /* allocates the next register and marks it as
-                                                                           * fresh */
+bool vs_emit_register(vs_emit *e, uint32_t *out);                         /* allocates the next free register, and
+                                                                           * stores its number in *out and in
+                                                                           * e->fresh */
 bool vs_emit_word(vs_emit *e, uint32_t w);
 bool vs_emit_op(vs_emit *e, unsigned op, uint32_t a, uint32_t b, uint32_t c);
 /* Emits an instruction that is followed by one extra word. */
@@ -53,8 +54,8 @@ bool vs_emit_place(vs_emit *e, vs_pos pos);                               /* Set
 /* Records that the next instruction replaces a call of a global procedure. cell: index of the constant that is the
  * procedure's cell. */
 bool vs_emit_inlined(vs_emit *e, uint32_t cell);
-/* Records that the variable is in its register from the next instruction on, until a call vs_emit_scope_end(e, first).
- * This call ends the scope of entry `first` of the table of variables and of all later entries. */
+/* Adds the variable to the debugger's table: it is in its register from the next instruction on, until
+ * vs_emit_scope_end is called. */
 bool vs_emit_variable(vs_emit *e, const vs_var *v);
 void vs_emit_scope_end(vs_emit *e, size_t first);
 /* Stores the emitted instructions in `code`, which is an object in old space. */

@@ -37,9 +37,8 @@ static inline bool to_double(vs_value v, double *d) {
   return false;
 }
 
-/* Applies the host's binary procedure number `row` to x and y. Stores the result in d: three numbers, or a single
- * number. Returns the tag of the resulting record, or 0 for a number. Returns a negative number if the procedure itself
- * must be called: for operands of other types, or if a result is not finite. */
+/* Applies the host's binary procedure number `row` to x and y. Stores the result, one or three numbers, in d. Returns
+ * the tag of the resulting record, 0 for a number, or a negative number if the procedure itself must be called. */
 static inline int flat_binary(const vs_flat_rules *rules, uint32_t row, vs_value x, vs_value y, double *d) {
   int kind = rules->binary[row].kind, result = rules->binary[row].result;
   if (!vs_is_flat(x, rules->binary[row].left)) return -1;

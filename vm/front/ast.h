@@ -33,9 +33,9 @@ typedef struct vs_var {
   bool introduced;           /* whether a macro created the variable, so that messages do not show it */
   bool in_register;          /* whether the variable may be assigned in its register unless it is captured: no
                               * continuation returns to its activation twice */
-  bool given_again;          /* of a variable of a FIX: whether a continuation may compute its value a second time, so
-                              * that it counts as assigned */
-  /* Members that the compiler sets. */
+  bool given_again;          /* for variables of a FIX (letrec*): whether a continuation may compute the value a second
+                              * time, so that the variable counts as assigned */
+  /* Flags of the variable that the compiler sets. */
   bool assigned, captured, known;
   uint32_t refs, calls;
   vs_core_node *owner, *value;    /* owner: LAMBDA that contains the variable. value: the LAMBDA that is the value of a
@@ -89,11 +89,8 @@ struct vs_core_node {
     struct { uint32_t name; vs_core_node **at; } clauses;              /* CASE: a case-lambda; its clauses are
                                                                         * LAMBDAs */
     struct { vs_core_node *predicate, *value; uint32_t name, text, who; } check;
-      /* CHECK: a contract. If (predicate value) is true, the result is the value of `value`. Otherwise the error is
-       * "WHO: NAME must be TEXT, got VALUE". A predicate that raises an error counts as false. If the predicate is no
-       * procedure, the message shows [NAME TEXT]. name, text, who: indices of constants (a symbol; any source datum; a
-       * symbol or #f). The predicate's expression is evaluated once, outside the lambda (in a LET around it, or in a
-       * cell), and `predicate` refers to its value. The compiler recognises any? if `predicate` is a GLOBAL. */
+      /* CHECK: a contract. If (predicate value) is true, the result is the value. Otherwise the error is "WHO: NAME
+       * must be TEXT, got VALUE". name, text, who: indices of constants. */
   } as;
 };
 
@@ -121,7 +118,7 @@ bool vs_ast_const(vs_ast *ast, vs_value v, uint32_t *index);
 vs_var *vs_ast_var(vs_ast *ast, vs_value symbol);
 /* Returns a node of this kind (VS_AST_...), with all members zero. */
 vs_core_node *vs_ast_node(vs_ast *ast, int kind, vs_pos pos);
-/* These functions return nodes of the kinds in their names, or NULL when memory is out. */
+/* vs_ast_constant and similar functions return a node of the kind in their name, or NULL when memory is out. */
 vs_core_node *vs_ast_constant(vs_ast *ast, vs_value v, vs_pos pos);
 vs_core_node *vs_ast_local(vs_ast *ast, vs_var *var, vs_pos pos);
 /* Returns a SEQ, CALL, CASE, LET, FIX or LAMBDA with room for n elements. */

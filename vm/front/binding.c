@@ -9,8 +9,8 @@
 #include "vm/values/printer.h"
 #include "vm/values/text.h"
 
-/* Reports a binding that lacks the parentheses around all bindings: (let (x 5) ...) or (do (i 0 (+ i 1)) ...). step:
- * the form is `do`, whose bindings have a third part. Returns false, without an error, if `list` is no such binding. */
+/* Reports a binding that lacks the parentheses around all bindings, such as (let (x 5) ...). step: the form is `do`,
+ * whose bindings have a third part. Returns false, without an error, if `list` is no such binding. */
 static bool fail_bare(vs_expansion *x, vs_value list, vs_pos outer, int form, bool step) {
   int64_t n = vs_list_length(list);
   if ((n != 2 && !(step && n == 3)) || !vs_is_identifier(vs_car(list))) return false;
@@ -107,8 +107,8 @@ static bool named_let(vs_expansion *x) {
          push_values(x, vs_car(vs_cdr(vs_cdr(x->now.form))), x->now.env, call->as.call.at, NULL, x->now.depth + 2);
 }
 
-/* Stores the names that this let binds and that have no binding outside it. If a value of this let refers to such a
- * name, the error message then suggests let*. */
+/* Stores the names that this let binds and that have no other binding. If a value of this let refers to one of these
+ * names, the error message suggests let*. */
 static bool mention_let_star(vs_expansion *x, vs_value list) {
   VS_ROOTS(x->vm, r, 2);
   for (r[0] = list; vs_is_pair(vs_cdr(r[0])); r[0] = vs_cdr(r[0])) {

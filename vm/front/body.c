@@ -235,7 +235,8 @@ static bool finish_body(vs_expansion *x) {
       continue;
     }
     vs_var *var = vs_is_fixnum(v->at[0]) ? (vs_var *)(uintptr_t)vs_fixnum(v->at[0]) : NULL;
-    if (!var) {                                                     /* no variable: an expression between definitions */
+    if (!var) {                                                     /* an entry without a variable is an expression
+                                                                     * between definitions */
       vs_value name;
       ok = vs_intern_c(vm, "_", &name) && (var = vs_ast_var(&x->ast, name)) != NULL;
       if (!ok) break;
@@ -325,9 +326,8 @@ bool vs_body_resume(vs_expansion *x, vs_value value) {
 }
 
 /* ---- the top level ---- */
-/* Handles (begin (define name ...) ...) as the result of a macro: binds all names before any form is expanded, so
- * that the first form may refer to the last name. The macro has renamed the names, so that only this code can refer
- * to them. */
+/* Handles (begin (define name ...) ...) as the result of a macro: binds all names before any form is expanded, so that
+ * the first form may refer to the last name. */
 static bool bind_renamed(vs_expansion *x, vs_value forms) {
   VS_ROOTS(x->vm, r, 1);
   for (r[0] = forms; vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) {

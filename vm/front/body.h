@@ -7,8 +7,7 @@
 /* Converts the expression `spec` after define-syntax to a MACRO, or to a call that returns a MACRO. Sets *done to false
  * if the call of x->procedure must run first; the caller then sets x->now.waiting. */
 bool vs_expand_transformer(vs_expansion *x, vs_value spec, vs_value env, vs_value *macro, bool *done);
-/* vs_body_step performs one step of the current task. vs_body_resume passes the result of a call to the task that waits
- * for it. */
+/* Performs one step of the current task, which expands a body or a form at top level. */
 bool vs_body_step(vs_expansion *x);
 bool vs_top_step(vs_expansion *x);
 bool vs_body_resume(vs_expansion *x, vs_value value);

@@ -167,8 +167,8 @@ bool vs_strip(vs_scheme *vm, vs_value datum, vs_value *out) {
   VS_ROOTS(vm, v, 2);
   v[0] = datum;
   if (!copy_level(vm, &v[0])) return false;
-  stack s = {.vm = vm, .roots = {NULL, vm, NULL, 0}};       /* stack of copied objects whose elements are still those of
-                                                             * the originals */
+  stack s = {.vm = vm, .roots = {NULL, vm, NULL, 0}};       /* stack of copied objects; their elements are not copied
+                                                             * yet */
   vs_gc_link(&s.roots);
   bool ok = push(&s, v[0]);
   while (ok && s.count) {
@@ -223,8 +223,8 @@ static bool skip_add(vs_scheme *vm, vs_value *table, vs_value from, vs_value sco
 /* Creates the table of the bindings in the scopes around a new scope. By this table a search skips these scopes.
  * `scope` points to a root of the garbage collector. */
 static bool skip_make(vs_scheme *vm, const vs_value *scope) {
-  VS_ROOTS(vm, r, 2);              /* roots of the garbage collector: the current scope on the way outwards, the
-                                    * table */
+  VS_ROOTS(vm, r, 2);              /* roots of the garbage collector: a scope around the new scope, the table of
+                                    * bindings */
   int64_t depth = depth_of(*scope), span = SKIP;
   while (depth % (span * SKIP) == 0) span *= SKIP;
   if (!vs_idtable_new(vm, &r[1])) return false;
@@ -360,10 +360,8 @@ static vs_value find_clash(vs_scheme *vm, vs_value env, vs_value from, vs_value 
   return VS_VACANT;
 }
 
-/* Adapts env's existing cells of variables to an import. A cell without a definition, or with a copy of a constant,
- * gets the imported value. If env itself defines an imported name, *clash becomes this name. But at the prompt the
- * import replaces the definition, unless it is the import of the language's whole library. look: only searches for a
- * clash. */
+/* Adapts the cells (variables) of env to an import: a cell without a definition gets the imported value. If env itself
+ * defines an imported name, *clash becomes this name. look: only searches for such a name. */
 static void settle(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping, bool look, vs_value *clash) {
   vs_vector *table = vs_as_vector(vs_as_environment(env)->table);
   vs_intake intake = vs_environment_intake(env);
@@ -399,7 +397,7 @@ bool vs_environment_import(vs_scheme *vm, vs_value env, vs_value from, vs_value 
     if (mapping == VS_TRUE && vs_car(vs_car(l)) == from && vs_cdr(vs_car(l)) == VS_TRUE &&
         (whole || l == vs_as_environment(env)->imports))
       return true;
-    last = l;                                   /* at the end of the loop, the last pair of the list */
+    last = l;                                   /* afterwards, `last` is the last pair of the list */
   }
   if (vs_environment_intake(env) == VS_INTAKE_STRICT && !whole) *clash = find_clash(vm, env, from, mapping);
   if (*clash == VS_VACANT && !whole) { settle(vm, env, from, mapping, true, clash); *own = *clash != VS_VACANT; }

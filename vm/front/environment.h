@@ -48,8 +48,8 @@ bool vs_make_alias(vs_scheme *vm, vs_value name, vs_value env, vs_value *out);
 /* Sets *out to a copy of the datum in which symbols replace aliases (renamed identifiers), or to the datum itself if it
  * has no aliases. */
 bool vs_strip(vs_scheme *vm, vs_value datum, vs_value *out);
-/* Result of testing one datum, for functions that visit all parts of a datum until a test returns VS_DATUM_YES.
- * VS_DATUM_NO_MORE: neither the datum nor its parts need further tests. */
+/* Result of testing one part of a datum, in a search that ends at VS_DATUM_YES. VS_DATUM_NO_MORE: the parts inside this
+ * part need no tests. */
 typedef enum { VS_DATUM_NO, VS_DATUM_YES, VS_DATUM_NO_MORE } vs_datum_test;
 bool vs_datum_any(vs_scheme *vm, vs_value datum, vs_datum_test (*test)(vs_scheme *vm, vs_value v), bool *yes);
 
@@ -70,10 +70,9 @@ vs_intake vs_environment_intake(vs_value env);
 /* Sets how env, a top-level environment, accepts imports. */
 void vs_environment_set_intake(vs_value env, vs_intake intake);
 
-/* Imports `from` into env; both are top-level environments. mapping is #t, or a table from local names to names in
- * `from`. Any other binding of a name has precedence over an import of the language's whole library (vm->at.core with
- * mapping #t). Sets *clash to VS_VACANT, or to a name that cannot be imported because it already has a different
- * binding in env. Sets *own to true if env itself defines this name. */
+/* Imports the top-level environment `from` into env. mapping is #t, or a table from local names to names in `from`.
+ * Sets *clash to a name that has a different binding in env, or to VS_VACANT. Sets *own to true if env itself defines
+ * this name. */
 bool vs_environment_import(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping, vs_value *clash, bool *own);
 void vs_environment_forget_imports(vs_value env);
 static inline bool vs_is_top(vs_value env) { return vs_as_environment(env)->parent == VS_FALSE; }
@@ -81,12 +80,12 @@ static inline bool vs_is_top(vs_value env) { return vs_as_environment(env)->pare
 typedef enum { VS_MEANS_NOTHING, VS_MEANS_LOCAL, VS_MEANS_MACRO, VS_MEANS_CELL } vs_meaning_kind;
 typedef struct vs_meaning {
   vs_meaning_kind kind;
-  vs_value value;        /* LOCAL: fixnum address of the vs_var. MACRO, CELL: the object, which moves at an
-                          * allocation */
+  vs_value value;        /* LOCAL: address of the variable as a fixnum. MACRO, CELL: the object, which an allocation may
+                          * move */
   vs_value env;          /* LOCAL: the scope that binds the identifier. Otherwise the top-level environment that binds
                           * it */
-  vs_value id;           /* the identifier by which the top-level environment binds it */
-  bool foreign;          /* whether the CELL or MACRO is imported */
+  vs_value id;           /* name of the identifier in the top-level environment that binds it */
+  bool foreign;          /* whether the variable (CELL) or the MACRO comes from an imported library */
 } vs_meaning;
 /* Returns the meaning of id in env. Allocates nothing. */
 vs_meaning vs_environment_find(vs_value env, vs_value id);

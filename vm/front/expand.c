@@ -57,8 +57,8 @@ static void trace(vs_scheme *vm, void *object, void (*mark)(vs_scheme *vm, vs_va
     mark(vm, &x->tasks[i].env);
     mark(vm, &x->tasks[i].acc);
   }
-  if (vs_gc_is_minor(vm)) x->old = x->count; /* after a minor collection, the values of waiting tasks are in old space
-                                              * and do not change */
+  if (vs_gc_is_minor(vm)) x->old = x->count; /* after a minor garbage collection, the values of waiting tasks are in old
+                                              * space and do not change */
 }
 
 static void release(void *object) {
@@ -650,7 +650,7 @@ vs_expand_result vs_expansion_step(vs_expansion *x, vs_value value) {
     }
     if (x->now.waiting) return push_task(x, &x->now) ? VS_EXPAND_CALL : VS_EXPAND_ERROR;
     if (!ok) {
-      vs_value c = x->vm->condition;      /* an error without a place, such as a missing file */
+      vs_value c = x->vm->condition;      /* errors such as a missing file have no place yet */
       if (vs_is(c, VS_T_CONDITION) && !vs_as_condition(c)->place) vs_as_condition(c)->place = x->now.pos;
       x->count = 0;
       x->now = no_task;

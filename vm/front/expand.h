@@ -42,9 +42,9 @@ typedef struct vs_task {
   bool test;         /* whether only the truth of the form's value is used, as in a test */
   bool decides;      /* whether the form's value decides which form is evaluated next; a procedure as this value is
                       * probably a mistake */
-  bool waiting;      /* whether the task waits for the result of a macro's transformer procedure */
-  bool chained;      /* whether the form consists of the last parts of a form whose syntax was already checked, as (and
-                      * b c) of (and a b c) */
+  bool waiting;      /* whether the task waits for the result of the procedure that expands a macro */
+  bool chained;      /* whether the form is the rest of a form whose syntax was already checked, such as (and b c) of
+                      * (and a b c) */
   uint32_t depth, n;
   vs_pos pos;        /* place in the source if the form itself has no place */
   vs_core_node **into;

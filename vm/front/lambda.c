@@ -190,11 +190,12 @@ typedef struct {
   uint32_t who;              /* constant index of the lambda's name, which errors of its contracts show */
   vs_pos pos;
   vs_core_node *let;         /* LET around the lambda for the evaluated predicates; NULL if there are none */
-  size_t contracts;          /* number of predicates that are already in the LET */
+  size_t contracts;          /* number of predicates that are already in the LET around the lambda */
   vs_core_node *lambda;
 } making;
-/* ROOT_SCOPE: scope of the lambda. */
-enum { ROOT_LIST, ROOT_BODY, ROOT_ENV, ROOT_SCOPE, ROOT_EARLIER /* ROOT_EARLIER: scope of a default value */, ROOTS };
+/* ROOT_SCOPE: scope that contains the lambda's parameters */
+enum { ROOT_LIST, ROOT_BODY, ROOT_ENV, ROOT_SCOPE, ROOT_EARLIER /* ROOT_EARLIER: scope of a default value, with the
+                                                                 * parameters before it */, ROOTS };
 
 static void again(making *m) { reload(m->p, m->roots[ROOT_LIST]); }
 
@@ -307,8 +308,8 @@ static bool build(making *m, vs_value name, vs_core_node ***outer, vs_core_node 
     if (!make_parameter(m, i)) return false;
   into = &m->lambda->as.lambda.body;
   return make_checks(m, m->p->count, m->pos, &into) &&
-         vs_expand_body(m->x, r[ROOT_BODY], r[ROOT_SCOPE], m->pos, into, 2); /* the depth is counted anew in each
-                                                                              * lambda */
+         vs_expand_body(m->x, r[ROOT_BODY], r[ROOT_SCOPE], m->pos, into, 2); /* the nesting of the body is counted from
+                                                                              * the start again in each lambda */
 }
 
 static bool expand_lambda(vs_expansion *x, const vs_lambda_form *form, vs_core_node ***outer, vs_core_node **into) {

@@ -7,8 +7,7 @@
 /* The source of a lambda. Its values need not be roots of the garbage collector. */
 typedef struct {
   vs_value params, body; /* params: the parameter list; body: the list of the body's forms */
-  bool tail;             /* whether params follow a procedure's name, as in (define (name . params) ...); [ ] around all
-                          * of params then means a rest parameter with its predicate */
+  bool tail;             /* whether params follow a procedure's name, as in (define (name . params) ...) */
   vs_value env, name;    /* env: environment of the lambda; name: its symbol, or #f */
   vs_pos pos;
 } vs_lambda_form;

@@ -55,13 +55,14 @@ typedef struct {
   size_t problems; bool more;
   struct { vs_pos pos; char text[PROBLEM_TEXT]; } problem[PROBLEMS];
   /* suspect: place of the open parenthesis that should be closed, judging by the indentation. suspect_line: line of the
-   * last token inside it */
+   * last token inside this parenthesis */
   vs_pos suspect; uint32_t suspect_line;
   uint32_t content_line;     /* line of the last token */
   uint32_t comma_line;       /* line of the last comma between elements that was reported */
   bool cut;                  /* whether an unclosed string or |symbol| extends to the end of the text, so that open
                               * parentheses are not separate mistakes */
-  bool anew, left_open;      /* anew: whether this is the second reading; left_open: whether a form was not closed */
+  bool anew, left_open;      /* anew: whether the text is read a second time, to find all unclosed forms; left_open:
+                              * whether a form was not closed */
   vs_pos odd_string; uint32_t odd_end;   /* odd_string: the string that probably lacks its closing quote; odd_end: its
                                           * last line */
   vs_pos last_top; uint32_t last_close_line; bool stray; vs_pos stray_top; uint32_t stray_line;
@@ -416,7 +417,7 @@ static bool is_hexadecimal(const char *s, size_t n) {
 
 /* Reports a word in typographic quotation marks, as word processors write them. */
 static void typographic_quote(reader *r, vs_pos pos, const char *s, size_t length) {
-  size_t n = 3; /* n: first the length of the quotation mark in bytes, later the offset of the closing quotation mark */
+  size_t n = 3; /* first the length of the quotation mark in bytes, later the offset of the closing quotation mark */
   while (n < length && !(n + 2 < length && !memcmp(s + n, "\xE2\x80", 2) && (unsigned char)s[n + 2] >= 0x98 &&
                          (unsigned char)s[n + 2] <= 0x9F))
     n++;

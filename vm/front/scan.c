@@ -76,7 +76,7 @@ bool vs_scan_feed(vs_scan *s, uint32_t c, vs_scan_result *result) {
 again:
   switch (s->state) {
   case BLANK: ok = begin(s, c, result); break;
-  case HASH:                                       /* the previous character was # */
+  case HASH:                                       /* the state after the character # */
     s->any = s->any || (c != '|' && c != ';' && c != '!');
     if (c == ';') { s->wanted += s->depth == 0; s->state = BLANK; }
     else if (c == '|') { s->state = BLOCK; s->comment = 1; s->after_hash = 0; }

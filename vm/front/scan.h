@@ -14,10 +14,10 @@ typedef enum {
 typedef struct vs_scan {
   vs_scheme *vm;
   uint8_t state, after_hash;
-  bool any, escaped, returned;    /* any: whether a character other than blanks was passed; escaped: whether the last
-                                   * character was a backslash; returned: whether it was \r */
+  bool any, escaped, returned;    /* any: whether a character other than blanks was processed; escaped: whether the last
+                                   * character was a backslash; returned: whether the last character was \r */
   uint32_t comment;               /* nesting depth of block comments */
-  uint32_t wanted;                /* number of data that must still follow outside all parentheses */
+  uint32_t wanted;                /* number of data (outside all parentheses) that must still follow */
   size_t depth, room;
   struct vs_scan_open { char open; uint32_t line, col; } *at;
   uint32_t line, col;             /* line and column of the next character to process */

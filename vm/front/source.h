@@ -15,9 +15,8 @@ bool vs_source_is_shipped(const char *path);
 /* Returns the file of this name in vm->config.shipped, or NULL. */
 const vs_shipped *vs_source_shipped(const vs_scheme *vm, const char *name);
 
-/* Finds the file to which the string `name` in file number `from` (0: none) refers. Searches these folders: that of
- * `from`, the folder `up` levels above it, that of the file that the host runs, and those in vm->config.library_path.
- * Sets *found to true if one of these folders has the file; otherwise *path names it in the first folder. */
+/* Finds the file to which the string `name` in file number `from` (0: none) refers, in the folder of `from` and the
+ * folders of libraries. Sets *found to true if a folder has the file; otherwise *path names it in the first folder. */
 bool vs_source_find(vs_scheme *vm, vs_value name, uint32_t from, size_t up, vs_text *path, bool *found);
 /* Finds the file as vs_source_find does with up = 0. If the file does not exist, *path is set all the same; reading it
  * reports the missing file. */

@@ -49,9 +49,8 @@ static bool neighbours(int a, int b) {
       (right == 0 || right == 1));
 }
 
-/* Returns the edit distance of two names; upper and lower case count as equal. An insertion, deletion or replacement
- * costs EDIT. A typing slip costs SLIP, half of EDIT. Slips are a neighbouring key, two exchanged letters, a doubled
- * letter, a hyphen too many or too few. Returns limit + 1 if the distance exceeds limit. */
+/* Returns the edit distance of two names; upper and lower case count as equal. A typing slip, such as a neighbouring
+ * key or two exchanged letters, costs half of an edit. Returns limit + 1 if the distance exceeds limit. */
 static int distance(const char *a, size_t n, const char *b, size_t m, int limit) {
   int change = n <= 4 ? EDIT + SLIP : EDIT; /* in a short word, replacing a letter costs more, since the result is often
                                              * another word: set and sec */

@@ -18,7 +18,7 @@ enum { DATA_LITERALS, DATA_ELLIPSIS, DATA_RULES, DATA_SIZE };
 typedef struct {
   vs_expansion *x;
   vs_scheme *vm;
-  vs_value *r;             /* roots of the garbage collector, by the indices R_... */
+  vs_value *r;             /* roots of the garbage collector; R_MACRO and similar constants are their indices */
   vs_pos pos;
   bool underscore_is_literal;
 } rules;
@@ -218,8 +218,8 @@ bool vs_rules_make(vs_expansion *x, vs_value spec, vs_value env, vs_pos pos, vs_
   return true;
 }
 
-/* ---- matching: these functions return 1 if the form matches, 0 if not, -1 with the error set; *slot is the slot of
- * the next variable ---- */
+/* ---- matching: functions return 1 if the form matches, 0 if not, -1 with the error set; *slot is the slot of the next
+ * variable ---- */
 static size_t count_vars(const rules *s, vs_value p, int depth) {
   size_t n = 0;
   if (depth > PATTERN_DEPTH) return 0;

@@ -47,8 +47,8 @@ typedef struct {
   uint32_t *table;
   size_t slots;      /* number of entries of the hash table from scope and name to variable */
   uint8_t *facts;    /* facts[n]: flags of node n of the script's tree */
-  uint32_t *targets; /* targets[node]: for BREAK and CONTINUE the statement that the jump leaves or continues; for
-                      * FUNCTION and TRY the scope */
+  uint32_t *targets; /* targets[node]: for BREAK and CONTINUE the statement to which the jump refers; for FUNCTION and
+                      * TRY the number of the scope */
   size_t room;
 } vs_scopes;
 

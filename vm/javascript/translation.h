@@ -32,12 +32,12 @@ typedef struct {
   double number;
 } vs_item;
 
-/* Where control continues after a statement of the script. */
+/* The place at which control continues after a statement of the script. */
 typedef enum {
-  VS_THEN_NOTHING,    /* after the expression; its value is not used */
+  VS_THEN_NOTHING,    /* after the Scheme expression; the value of the expression is not used */
   VS_THEN_END,        /* at the end of the function */
   VS_THEN_MADE,       /* in the procedure with the name word:number (MADE) */
-  VS_THEN_STATEMENTS, /* at the statements from `node` up to `stop`, and after them at `on` */
+  VS_THEN_STATEMENTS, /* at the statements from `node` up to `stop`, and after these statements at the place `on` */
   VS_THEN_LOOP,       /* at the next iteration of the loop statement `node`, whose loop number is `number` */
   VS_THEN_OUTCOME     /* after the try statement `target`, at the place that the result of the try determines */
 } vs_then_kind;

@@ -106,7 +106,7 @@ static vs_status mul(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 static vs_status sub(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n == 1) {
     if (vs_flat_callable(vm, a, 1)) return vm->flat->call(vm, "-", a, 1, out);
-    /* (- x) is not computed as 0 - x: for 0.0 the result would be +0 instead of -0. */
+    /* (- x) is not computed as 0 - x, since the result for 0.0 would be +0 instead of -0. */
     if (vs_is_double(a[0])) return *out = vs_flonum(-vs_double(a[0])), VS_OK;
     return vs_number_sub(vm, vs_fix(0), a[0], out);
   }

@@ -160,7 +160,8 @@ static vs_status procedure_shape(vs_scheme *vm, vs_value *a, int n, vs_value *ou
   if (!vs_is_procedure(a[0])) return vs_fail_type(vm, 0, "a procedure", a[0]);
   uint32_t least = 0, most = UINT32_MAX;
   bool script = false;
-  if (vs_is(a[0], VS_T_CASE) && vs_as_case(a[0])->count) { /* the first clause of a case-lambda determines the shape */
+  if (vs_is(a[0], VS_T_CASE) && vs_as_case(a[0])->count) { /* uses the number of parameters of the first clause of a
+                                                            * case-lambda */
     const vs_code *code = vs_as_code(vs_as_closure(vs_as_case(a[0])->clause[0])->code);
     least = code->required;
   } else if (vs_is(a[0], VS_T_CLOSURE)) {
@@ -258,9 +259,8 @@ static vs_status make_parameter(vs_scheme *vm, vs_value *a, int n, vs_value *out
   return VS_OK;
 }
 
-/* Implements the form parameterize, which expands to a call of this native with lists of parameters and of their new
- * values. Arguments: parameters values thunk | phase (0: converting values, 1: running the thunk), list: in phase 0 the
- * bindings so far, in phase 1 the list vm->parameters before the call. */
+/* Implements the form parameterize. Arguments: parameters values thunk | phase (0: converting values, 1: running the
+ * thunk), list: in phase 0 the bindings so far, in phase 1 the list vm->parameters before the call. */
 static vs_status parameterize(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n < 0 && a[3] == vs_fix(1)) { vm->parameters = a[4]; return VS_OK; }
   VS_ROOTS(vm, r, 1);

@@ -368,8 +368,7 @@ static vs_status list_reverse_own(vs_scheme *vm, vs_value *a, int n, vs_value *o
   return vs_list_own_turned(vm, &a[0], a[1], out);
 }
 
-/* Returns #t if a[0] is a procedure and a[1] a proper list; map and for-each then use a fast path. Otherwise they check
- * their arguments and report errors. */
+/* Returns #t if a[0] is a procedure and a[1] a proper list; map and for-each then use a fast path. */
 static vs_status list_each_p(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)vm, (void)n;
   *out = vs_bool(vs_is_procedure(a[0]) && vs_list_length(a[1]) >= 0);
@@ -461,10 +460,8 @@ static vs_status list_split_at(vs_scheme *vm, vs_value *a, int n, vs_value *out)
   return vs_several(vm, a, 2, out);
 }
 
-/* Returns the list of all elements of nested lists, in order; a value that is no list counts as one element. An
- * explicit list of the places to continue replaces recursion. A list that contains itself would never end. Each list
- * that is entered is therefore compared with an earlier one, which was entered at a smaller depth that is a power of
- * two. */
+/* Returns the list of all elements of nested lists, in order; a value that is no list counts as one element. Each list
+ * that is entered is compared with an earlier list, to detect a list that contains itself. */
 static vs_status list_flatten(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   LIST_MAKER(vm, r);

@@ -63,8 +63,8 @@ bool vs_port_parameter(vs_scheme *vm, int stream, vs_value *out);
 /* Returns true if v is allowed as the value of `parameter`. The parameters of the current ports allow only a port of
  * the right direction; other parameters allow any value. */
 bool vs_port_parameter_fits(const vs_scheme *vm, vs_value parameter, vs_value v);
-/* vs_port_current_output and similar functions return the current ports: the values of their parameter objects or,
- * before these objects exist, the standard ports. */
+/* Returns the current output port: the value of its parameter object or, before this object exists, the standard
+ * port. */
 vs_value vs_port_current_output(vs_scheme *vm);
 vs_value vs_port_current_input(vs_scheme *vm);
 
