@@ -94,7 +94,7 @@ bool vs_library_built_in(vs_scheme *vm, vs_value name, vs_value *env) {
   int row = row_of(name);
   if (row < 0) return true;
   VS_ROOTS(vm, r, 3);
-  /* Searches for the library's short name among the libraries that were already created. */
+  /* Searches for the short name of the library, such as (srfi 1), among the libraries that were already created. */
   if (!vs_intern_c(vm, libraries[row].name, &r[0])) return false;
   for (vs_value l = vm->at.libraries; vs_is_pair(l); l = vs_cdr(l))
     if (vs_car(vs_car(l)) == r[0]) { *env = vs_cdr(vs_car(l)); return true; }

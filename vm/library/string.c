@@ -323,9 +323,8 @@ static bool ends_word(vs_value s, size_t i) {
   return before > 0 && is_cased(vs_string_at(s, before - 1)) && !(after < length && is_cased(vs_string_at(s, after)));
 }
 
-/* Appends the upper case of a character to t. If the full case folding of a letter has several characters (ß, the
- * ligature ff, j with a caron), appends the upper case of these characters, unless the letter is a capital. This agrees
- * with the unconditional rows of Unicode's SpecialCasing. */
+/* Appends the upper case of a character to t. If the case folding of a small letter has several characters (ß), appends
+ * the upper case of these characters. */
 static bool put_capitals(vs_text *t, uint32_t c) {
   utf8proc_int32_t folded[8];
   utf8proc_ssize_t m = c < 0x80 || utf8proc_category((utf8proc_int32_t)c) == UTF8PROC_CATEGORY_LU
@@ -379,8 +378,7 @@ static vs_status string_foldcase(vs_scheme *vm, vs_value *a, int n, vs_value *ou
 /* ---- searching in strings ---- */
 
 /* Data for searching a text. border[i]: length of the longest proper prefix of the text's first i + 1 characters that
- * is also their suffix (Knuth, Morris and Pratt). With this table, the search never goes back in the searched string.
- * `border` is NULL for a text of one character. length: length of the text in characters. */
+ * is also their suffix (Knuth, Morris and Pratt); NULL for a text of one character. */
 typedef struct { uint32_t *border; int64_t length; } needle;
 
 static bool needle_open(vs_scheme *vm, vs_value text, needle *d) {
@@ -420,7 +418,7 @@ static bool find_from(vs_scheme *vm, vs_value s, vs_value text, const needle *d,
   return true;
 }
 
-/* Searches for a text in s from position `from`, as find_from does. Makes the search table, and frees it afterwards. */
+/* Searches for a text in s from position `from`, as find_from does, with a search table that it creates and frees. */
 static bool find_once(vs_scheme *vm, vs_value s, vs_value text, int64_t from, int64_t *at) {
   needle d;
   bool ok = needle_open(vm, text, &d) && find_from(vm, s, text, &d, from, at);

@@ -82,8 +82,8 @@ static bool random_below(vs_scheme *vm, vs_value n, vs_value *out) {
   uint64_t *s = random_state(vm);
   VS_ASSERT(vs_is_exact_integer(n) && vs_int_sign(n) > 0);
   if (!s) return false;
-  if (vs_is_fixnum(n)) {                          /* rejects random values from the greatest multiple of n on, so that
-                                                   * all remainders modulo n are equally likely */
+  if (vs_is_fixnum(n)) {                          /* rejects random numbers that would make some remainders modulo n
+                                                   * more likely than others */
     uint64_t bound = (uint64_t)vs_fixnum(n), least = (0 - bound) % bound, x;
     do x = random_next(s);
     while (x < least);

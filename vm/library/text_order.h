@@ -13,8 +13,8 @@ typedef enum { VS_LESS, VS_LESS_EQUAL, VS_EQUAL, VS_GREATER_EQUAL, VS_GREATER } 
   O(ci_lt, VS_LESS, true) O(ci_le, VS_LESS_EQUAL, true) O(ci_eq, VS_EQUAL, true) O(ci_ge, VS_GREATER_EQUAL, true) \
   O(ci_gt, VS_GREATER, true)
 
-/* Returns true if two texts are in this order. sign: result of comparing them, below 0 if the first text is less than
- * the second. */
+/* Returns true if two texts are in the given order. sign: result of comparing them, below 0 if the first text is less
+ * than the second. */
 static inline bool vs_order_holds(vs_text_order order, int sign) {
   switch (order) {
   case VS_LESS: return sign < 0;

@@ -189,8 +189,9 @@ static vs_status string_to_vector(vs_scheme *vm, vs_value *a, int n, vs_value *o
       !vs_make_vector(vm, (size_t)(end - start), VS_FALSE, out))
     return VS_ERROR;
   for (int64_t i = start; i < end; i++) {
-    vs_as_vector(*out)->at[i - start] = VS_CHAR(vs_string_at(a[0], (size_t)i)); /* characters are immediate values and
-                                                                                 * need no write barrier */
+    vs_as_vector(*out)->at[i - start] = VS_CHAR(vs_string_at(a[0], (size_t)i)); /* a character is no heap object, so
+                                                                                 * that storing it needs no write
+                                                                                 * barrier */
     if (!vs_poll_turn(vm, (uint64_t)i, 1)) return VS_ERROR;
   }
   return VS_OK;

@@ -40,8 +40,8 @@ struct link { vs_value name; vs_pos place; const vs_value *base; size_t pc; bool
      * no activation */ };
 
 /* Returns true if a procedure between a caller and `running`, the next inner activation, has ended with a tail call.
- * This is so if the instruction before pc calls another procedure than `running`. Tests only calls by global names of
- * the program. For other calls, the called value is lost; tail calls inside the library would not help users. */
+ * The instruction before pc then calls another procedure than `running`. Tests only calls by global names of the
+ * program. */
 static bool ended_in_tail_call(const vs_code *code, size_t pc, vs_value running) {
   const uint32_t *ins = vs_code_ins(code);
   if (pc < 2 || (ins[pc - 2] & 255) != VS_O_CALLG || ins[pc - 1] >= vs_as_vector(code->consts)->length ||
@@ -88,9 +88,7 @@ static vs_value *flush_failed(vs_scheme *vm, vs_value *w) {
 }
 
 /* Returns the greatest number of stack slots for nested calls that are not tail calls. The limit of 256 MB suffices for
- * about 5 million calls of a small procedure; deeper recursion is probably endless. If memory is limited, nested calls
- * may use a third of it. The garbage collector copies their activations, so that more of them would exhaust memory
- * first, with a message that does not name the cause. */
+ * about 5 million calls; if memory is limited, nested calls may use a third of it. */
 static size_t most_slots(const vs_scheme *vm) {
   size_t bytes = (size_t)256 << 20;
   if (vm->config.memory_limit && vm->config.memory_limit / 3 < bytes) bytes = vm->config.memory_limit / 3;
@@ -187,10 +185,8 @@ static void note_variable(vs_scheme *vm, vs_vector *v, vs_value *call, vs_value 
   vs_gc_store(vm, v, &to[1], x);
 }
 
-/* Sets *out to a vector with VS_CALL_WORDS elements for each running call, innermost first. The elements are the
- * procedure, the place as a fixnum, then names and values of variables (parameters, those of let, do and definitions,
- * captured ones). The name #f ends them. If a parameter's register was reused for a later variable, the parameter's
- * value is that of the later variable. */
+/* Sets *out to a vector with VS_CALL_WORDS elements for each running call, innermost first: the procedure, its place as
+ * a fixnum, then names and values of variables. The name #f ends the variables. */
 bool vs_call_variables(vs_scheme *vm, vs_value *out) {
   enum { MOST = 24 };
   struct link at[MOST];
@@ -267,7 +263,7 @@ uint64_t vs_call_key(vs_scheme *vm, size_t max) {
     vs_value ret = w.base[-1];
     if (w.force || ret & VS_RET_FLAGS) {
       up = walk_up(&w, &pc, &native);
-    } else { /* most returns go to compiled code in the working part of the stack, where no call of walk_up is needed */
+    } else { /* most calls return to compiled code in the working part of the stack, where walk_up need not be called */
       pc = vs_ret_pc(ret);
       native = false;
       w.base -= vs_ret_distance(ret) + 2;

@@ -15,9 +15,8 @@
 
 #include "vm/machine/vs.h"
 
-#define VS_RET_EACH    UINT64_C(0x08000000)   /* control returns to an instruction MORE, whose row of registers is below
-                                               * those of the call; the run loop may store the result in the row and
-                                               * call the procedure again at once */
+#define VS_RET_EACH    UINT64_C(0x08000000)   /* control returns to an instruction MORE, which calls a procedure with
+                                               * each element of a list (compiler/each.h) */
 #define VS_RET_STOP    UINT64_C(0x10000000)   /* the call returns to the caller of vs_run */
 #define VS_RET_NATIVE  UINT64_C(0x20000000)   /* the caller is a native, which is entered again */
 #define VS_RET_GENERIC UINT64_C(0x40000000)   /* control returns to an instruction that replaced a call of a native;
@@ -41,9 +40,8 @@ static inline size_t vs_ret_pc(vs_value ret) { return (size_t)(ret & 0x07FFFFFF)
  * w, or NULL when memory is out. */
 vs_value *vs_activation_flush(vs_scheme *vm, vs_value *w, size_t n, size_t need);
 
-/* Sets *out to the continuation of the call in the window w (the registers of a call), which has n arguments and its
- * return information in slot 1. Moves the window to the start of the stack's working part, and vm->base with it.
- * Returns false when memory is out; the activations may then be in the heap. */
+/* Sets *out to the continuation of the call in the window w (the registers of a call), which has n arguments. Moves the
+ * window to the start of the stack's working part, and vm->base with it. Returns false when memory is out. */
 bool vs_activation_capture(vs_scheme *vm, vs_value *w, size_t n, vs_value *out);
 
 /* Returns the number of stack slots below the working part, which are all in the heap. */
@@ -59,10 +57,8 @@ static inline uint64_t vs_activation_level(const vs_scheme *vm, const vs_value *
   return vs_slots_below(vm) + (uint64_t)(base - vm->stack);
 }
 
-/* Sets *out to the chain of the running calls, innermost first, at most `max`: a list of (name . place) pairs. The name
- * is a symbol or #f, the place a fixnum vs_pos. (#t . 0) before a pair means that between two calls, others ended with
- * tail calls and left no activations. Used by natives such as `error`; error objects that vs_fail creates already have
- * the chain. */
+/* Sets *out to the chain of the running calls, innermost first, at most `max`: a list of (name . place) pairs. (#t . 0)
+ * before a pair means that calls between two others ended with tail calls. */
 bool vs_call_chain(vs_scheme *vm, size_t max, vs_value *out);
 /* Sets *out to the innermost calls with their variables, for vs_condition.calls (layout: activation.c). Returns false
  * when memory is out. */
@@ -85,7 +81,7 @@ void vs_see_activations(vs_scheme *vm, vs_see_activation_fn *see, void *to);
 /* Returns the place in the source at which the running native was called. */
 vs_pos vs_call_place(vs_scheme *vm);
 
-/* the functions that describe the running calls for errors (fail.h) */
+/* functions of activation.c that describe the running calls for errors (fail.h) */
 extern const struct vs_traceback vs_call_traceback;
 
 #endif

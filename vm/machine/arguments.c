@@ -117,7 +117,7 @@ static bool fail_keyword(vs_scheme *vm, vs_value name, vs_value keyword, const v
   bool ok = vs_keyword_advice(name_of(keyword), &advice) && vs_text_end(&advice);
   const char *more = ok ? advice.at : "";
   if (!*there) vs_fail(vm, vm->sym.arity, "%s has no keyword #:%s%s", name_of(name), name_of(keyword), more);
-  /* prints the list of keywords without its parentheses */
+  /* prints the list of the procedure's keywords without parentheses */
   else vs_fail(vm, vm->sym.arity, "%s has no keyword #:%s; it has %.*s%s", name_of(name), name_of(keyword),
       (int)strlen(there) - 3, there + 2, more);
   vs_text_close(&advice);
@@ -261,7 +261,7 @@ bool vs_arguments_native(vs_scheme *vm, const vs_native *native, vs_value *a, si
     return fail_keyword(vm, native->name, vs_as_keywords(kw)->name[0], NULL, 0);
   if (!vs_native_laid_out(native)) return true;
   if (named && !stash(vm, a, n, named)) return false;
-  if (max == SIZE_MAX) max = positional;          /* keyword values follow the positional arguments */
+  if (max == SIZE_MAX) max = positional;          /* the values of keyword arguments follow the positional arguments */
   for (size_t i = positional; i < max; i++) a[i] = VS_ABSENT;
   size_t at = max;
   if (native->keywords != VS_FALSE) {

@@ -13,10 +13,10 @@ bool vs_arguments_closure(vs_scheme *vm, const vs_code *code, vs_value *a, size_
 bool vs_arguments_native(vs_scheme *vm, const vs_native *native, vs_value *a, size_t n, vs_value kw, size_t *given,
                          size_t *total);
 static inline bool vs_native_laid_out(const vs_native *n) { return n->def->slots > 0 || n->keywords != VS_FALSE; }
-/* Returns true if #:this is the only keyword of a call and the procedure f has no such parameter. Then f is no function
- * of a script, or does not use `this`, and the call omits the value of `this`, which is the last argument. */
+/* Returns true if #:this is the only keyword of a call and the procedure f has no such parameter. The call then omits
+ * the last argument, the value of `this`. */
 bool vs_leaves_self(const vs_scheme *vm, vs_value f, vs_value kw);
-/* Reports that no clause of a case-lambda accepts this number of arguments. Returns false. */
+/* Sets the error that no clause of a case-lambda accepts this number of arguments. Returns false. */
 bool vs_fail_clauses(vs_scheme *vm, const vs_case *c, size_t got);
 /* Returns a call of f as text without keywords, such as "(wall length [height])". Returns NULL if f has no name or
  * several clauses, or if the text exceeds `size` bytes. */

@@ -8,7 +8,7 @@
 #include "vm/values/heap.h"
 
 /* Adds a check to the queue. Arguments: form expression actual [expected [tolerance]]. Refuses a check while another
- * runs: a running check may reach checks again through a continuation, and running them might never end. */
+ * check runs, since running them might never end. */
 static vs_status check_later(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   vs_pos place = vs_call_place(vm);

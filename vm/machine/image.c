@@ -154,7 +154,7 @@ static bool writer_reach(struct writer *w, vs_value v) {
   return true;
 }
 
-/* Assigns offsets in the image to the objects: natives first, all in the order in which they were found. */
+/* Assigns offsets in the image to the reachable objects: natives first, all in the order in which they were found. */
 static bool writer_place(struct writer *w) {
   const vs_object **order = vs_mem(w->vm, NULL, 0, w->room * sizeof *order);
   size_t n = 0;
@@ -193,7 +193,7 @@ static bool writer_object(struct writer *w, const vs_object *o, uint64_t *copy) 
     }
     ((vs_native *)(void *)h)->def = (const vs_native_def *)(uintptr_t)number;
   } else if (o->type == VS_T_TABLE) { /* the keys of a hash table by address get other addresses: marks the table, so
-                                       * that its next use inserts every entry again */
+                                       * that its next use inserts its entries again */
     ((vs_table *)(void *)h)->young = 0;
     ((vs_table *)(void *)h)->epoch = UINT64_MAX;
   }
@@ -206,7 +206,7 @@ bool vs_image_write(vs_scheme *vm, bool (*put)(void *to, const uint64_t *words, 
                  *anchors = (const vs_value *)(const void *)&vm->at;
   uint64_t header[HEADER], *copy = NULL;
   size_t copy_words = 1;
-  vs_gc_major(vm); /* from this line on no object moves, since vs_mem does not collect garbage */
+  vs_gc_major(vm); /* no object moves after this collection, since vs_mem does not collect garbage */
   bool ok = true;
   for (size_t i = 0; ok && i < SYMBOLS; i++) ok = writer_reach(&w, symbols[i]);
   for (size_t i = 0; ok && i < ANCHORS; i++) ok = writer_reach(&w, anchors[i]);
@@ -258,10 +258,8 @@ static int find_in_program(struct dl_phdr_info *module, size_t size, void *to) {
   return 1;
 }
 
-/* Maps the image, a constant in the program's file, a second time at IMAGE_HOME. Writing there does not change the
- * file; unused pages cost neither time nor memory. Returns NULL if mapping is impossible, so that the image must be
- * copied. There are three causes: another interpreter of the process uses the address, the image is part of a shared
- * library, or the system has no such mapping. */
+/* Maps the image, a constant in the program's file, a second time at IMAGE_HOME. Unused pages cost neither time nor
+ * memory. Returns NULL if mapping is impossible, so that the image must be copied. */
 static void *image_map(const void *image, size_t bytes) {
   wanted w = { (uintptr_t)image, (uintptr_t)image + bytes, -1 };
   dl_iterate_phdr(find_in_program, &w);

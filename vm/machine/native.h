@@ -49,7 +49,7 @@ enum {
   VS_TAILCALL = 2,
   VS_CALL = 3,
   VS_THROW = 4,
-  VS_UNCAUGHT = 5 /* used only by control.c */,
+  VS_UNCAUGHT = 5 /* result of a native of control.c only */,
   VS_SEVERAL = 6
 };
 
@@ -74,15 +74,15 @@ typedef struct vs_native_table {
 bool vs_native_define(vs_scheme *vm, const vs_native_table *table,
                       bool (*define)(vs_scheme *vm, void *context, vs_value symbol, vs_value procedure), void *context);
 
-/* ---- requesting calls (see above); the arguments in argv are copied ---- */
+/* ---- requesting calls from the run loop; the arguments in argv are copied ---- */
 vs_status vs_call(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv);       /* Stores the call for the
                                                                                              * run loop, and returns
                                                                                              * VS_CALL. */
 vs_status vs_tailcall(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv);   /* Stores the call for the
                                                                                              * run loop, and returns
                                                                                              * VS_TAILCALL. */
-/* A call with a long argument list: call vs_call_begin, then vs_call_push for each argument; the native then returns
- * VS_CALL or VS_TAILCALL. */
+/* Starts a call with a long argument list. vs_call_push then adds each argument, and the native returns VS_CALL or
+ * VS_TAILCALL. */
 void vs_call_begin(vs_scheme *vm, vs_value procedure);
 /* Adds an argument to the call that vs_call_begin has started. call_count never exceeds call_room. */
 bool vs_call_push(vs_scheme *vm, vs_value v);

@@ -13,8 +13,8 @@ bool vs_poll_limits(vs_scheme *vm);
  * allows, so that the limit is exact. */
 void vs_refuel(vs_scheme *vm);
 
-/* vs_poll_move and vs_poll_set work as memmove and memset, in pieces with polls between them. If the block is larger
- * than a piece, it must not be in an object that the garbage collector could move. */
+/* Works as memmove, in pieces with polls between them. A block larger than a piece must not be in an object that the
+ * garbage collector could move. */
 bool vs_poll_move(vs_scheme *vm, void *to, const void *from, size_t bytes);
 bool vs_poll_set(vs_scheme *vm, void *to, int byte, size_t bytes);
 

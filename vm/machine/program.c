@@ -271,8 +271,7 @@ static vs_status syntax_to_datum(vs_scheme *vm, vs_value *a, int n, vs_value *ou
 
 /* ---- loading files ---- */
 /* Data about a load of a file whose load is already running. If each file between the two loads contains the next load
- * as a top-level form of its own, loading the file again would never end. Otherwise a condition in the program may end
- * the loading, so that LOADS repeated loads are allowed. */
+ * as a top-level form of its own, loading would never end. */
 typedef struct {
   vs_value run;        /* procedure object of the native %run, by which the walk recognizes its activations */
   uint32_t file;
@@ -574,8 +573,8 @@ static bool beside_script(vs_scheme *vm, const char *name) {
   vs_intake intake = vs_environment_intake(vm->at.program);
   if (intake == VS_INTAKE_FRESH) vm->scripted = script;
   if (script || !vm->scripted) return true;
-  vs_environment_set_intake(vm->at.program, VS_INTAKE_OPEN); /* with another setting, imports would replace the script's
-                                                              * variables */
+  vs_environment_set_intake(vm->at.program, VS_INTAKE_OPEN); /* a setting other than OPEN would let imports replace the
+                                                              * script's variables */
   bool ok = vs_environment_import(vm, vm->at.program, vm->at.core, VS_TRUE, &clash, &own);
   vs_environment_set_intake(vm->at.program, intake);
   return ok;

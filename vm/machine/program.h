@@ -9,9 +9,8 @@
 #include "vm/front/reader.h"
 #include "vm/values/text.h"
 
-/* vs_front_open creates the environment of the library with all natives and the syntax in C (vm->at.core), unless a
- * heap image contains it. vs_library_load then loads the library's Scheme files. Finally, vs_library_done makes their
- * definitions constant. */
+/* Creates the environment of the library with all natives and the syntax in C (vm->at.core), unless a heap image
+ * contains it. */
 bool vs_front_open(vs_scheme *vm);
 bool vs_library_load(vs_scheme *vm, const char *name, const char *text, size_t size);
 void vs_library_done(vs_scheme *vm);
@@ -24,9 +23,8 @@ bool vs_program_new(vs_scheme *vm, vs_value *env);
  * imports (environment.h). Sets *last to the value of the last form. Passes values of top-level expressions to
  * vm->config.value. Returns false with vm->condition set. */
 bool vs_program_text(vs_scheme *vm, const char *name, const vs_passage *text, bool prompt, vs_value *last);
-/* Runs a text as vs_program_text does, while a program is stopped. Each expression in the text sees the bindings, a
- * list of (symbol . value), as local variables; definitions in the text do not. In this way the prompt shows variables
- * of a stopped call. */
+/* Runs a text as vs_program_text does, while a program is stopped. Expressions in the text see `bindings`, a list of
+ * (symbol . value), as local variables; definitions in the text do not. */
 bool vs_program_within(vs_scheme *vm, const char *name, const vs_passage *text, vs_value bindings, vs_value *last);
 
 #endif

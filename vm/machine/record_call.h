@@ -30,8 +30,8 @@ static inline bool vs_record_make(vs_scheme *vm, const uint32_t *ins, vs_value t
   return true;
 }
 
-/* Calls the closure f, whose code has a flag of VS_CODE_RECORD, with the n arguments in `at`. Returns false, without
- * effect, if f's code must run instead. It counts as a call for the limit of steps. */
+/* Calls the closure f, a procedure that define-record-type has created, with the n arguments in `at`. Returns false,
+ * without effect, if f's code must run instead. */
 static inline bool vs_record_call(vs_scheme *vm, vs_value f, const vs_value *at, size_t n, vs_value *out) {
   const vs_closure *c = vs_as_closure(f);
   const vs_code *code = vs_as_code(c->code);

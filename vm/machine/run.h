@@ -5,9 +5,7 @@
 #include "vm/machine/native.h"
 
 /* Calls a procedure from outside the run loop, and runs until it returns. Returns false on an uncaught error;
- * vm->condition is then the raised object, a CONDITION or any other object. Natives must not call it; they return
- * VS_CALL. If the program enters a continuation that was captured during an earlier vs_run, the end of that
- * continuation ends the current vs_run. */
+ * vm->condition is then the raised object. Natives must not call it; they return VS_CALL. */
 bool vs_run(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv, vs_value *out);
 
 #endif

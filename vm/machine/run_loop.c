@@ -157,7 +157,8 @@ static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
 
 #define DROPPED(v) do {                                                                                    \
     if (vm->config.dropped) {                                                                              \
-      vs_value first = vs_is_pair(v) ? vs_as_pair(v)->car : (v); /* also reports an object in an unused list */ \
+      vs_value first = vs_is_pair(v) ? vs_as_pair(v)->car : (v); /* also reports a foreign object at the start of an
+                                                                  * unused list */ \
       if (vs_is(first, VS_T_FOREIGN)) vm->config.dropped(vm, first);                                       \
     }                                                                                                      \
   } while (0)
@@ -665,7 +666,7 @@ call: {
             vs_value *moved = vs_activation_flush(vm, w, n, need + 2);
             if (!moved) goto stack_full;
             w = moved; ret = w[1];
-            base = w + 2;                         /* the caller's activation has moved to the heap, or has ended */
+            base = w + 2;                         /* the activation of the caller has moved to the heap, or has ended */
           }
           f = w[0];
         }
@@ -791,7 +792,8 @@ no_procedure:
 fail_above:                               /* an error in the call of an activation at base, whose registers above it are
                                            * in use */
   if (pc) goto fail;
-  ret = w[1];                             /* the caller is a native or in the heap; the error gets the call's place */
+  ret = w[1];                             /* the caller is a native, or its activation is in the heap; the error gets
+                                           * the place of the call */
   goto raise;
 
   /* A native has returned `status`. Its activation is at base (equal to vm->base), and its last slot is below
@@ -852,9 +854,8 @@ native_done:
     default: goto uncaught;
   }
 
-  /* Returns the object v of several values from the activation at base. Natives and the host accept any number of
-   * values. Whether a caller in code accepts several values is tested here, or at the label `give` if the caller's
-   * activation must be found first. */
+  /* Returns several values, in the object v, from the activation at base. Tests here, or at the label `give`, whether
+   * the caller accepts several values. */
 give_several:
   ret = base[-1];
   if (!(ret & VS_RET_FLAGS)) {

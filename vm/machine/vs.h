@@ -29,7 +29,7 @@
   A(nearby)        /* identifier table or #f, for messages: maps an undefined name to the most similar local name, or to
                     * itself if a let binds it */ \
   A(host)          /* values that bind/ keeps */ \
-  A(standard_out) A(standard_in) A(standard_error)    /* the standard ports */ \
+  A(standard_out) A(standard_in) A(standard_error)    /* output, input and error port of the standard streams */ \
   A(flat_names)    /* vector: constructors of flat records (symbols or #f), indexed by the record's tag */ \
   A(raise) A(check) A(throw) A(guarded) /* natives that the run loop itself calls */ \
   A(no_memory)     /* error object that is raised if there is no memory for a new error object */ \
@@ -62,12 +62,11 @@ typedef struct vs_config {
   const struct vs_image *image;                /* heap image from which the interpreter starts, or NULL */
   /* Functions for files, console and time of day (port.h), which receive `user`; NULL: there are none. */
   const struct vs_io *io;
-  const char *library_path;  /* folders for load, include, require and import, separated by ':', or NULL; must exist as
-                              * long as the interpreter */
+  const char *library_path;  /* folders for load, include, require and import, separated by ':', or NULL; the text must
+                              * exist as long as the interpreter */
   const struct vs_shipped *shipped; /* libraries in Scheme that vs itself contains (source.h), or NULL */
   const char *const *command_line; size_t command_line_count; /* elements of the value of (command-line),
-                                                               * command_line_count of them; 0: the value is ("vs").
-                                                               * They must exist as long as the interpreter */
+                                                               * command_line_count of them; 0: the value is ("vs") */
   /* Receives the value of a top-level expression of the program or of a file that it loads. Returns false with the
    * error set. May be NULL. */
   bool (*value)(vs_scheme *vm, vs_value v, vs_pos place);
@@ -76,8 +75,8 @@ typedef struct vs_config {
   void (*dropped)(vs_scheme *vm, vs_value v);
   /* Warns about a construct that is permitted but surely not intended. Must not allocate in the heap. May be NULL. */
   void (*warn)(vs_scheme *vm, vs_pos place, const char *message);
-  /* Warns about a construct that is permitted but seldom intended, once for each place and kind (any constant text). If
-   * message is NULL, no warning of this kind is given at this place. May be NULL. */
+  /* Warns about a construct that is permitted but seldom intended, once for each place and kind (any constant text).
+   * May be NULL. */
   void (*suspect)(vs_scheme *vm, const char *kind, const char *message);
 } vs_config;
 
@@ -89,7 +88,7 @@ typedef enum { VS_STEP_CONTINUE, VS_STEP_ENTER, VS_STEP_OVER, VS_STEP_OUT, VS_ST
 typedef struct vs_stepping {
   uint8_t mode;              /* a vs_step_mode; with VS_STEP_CONTINUE the normal run loop is used */
   bool stops;                /* whether (break) stops the program */
-  bool passes;               /* whether (break) also gives no warning; used if `stops` is false */
+  bool passes;               /* whether (break) also gives no warning; used if the member `stops` is false */
   uint8_t told;              /* a VS_TOLD_... value: the host's information about the stop at the next instruction */
   uint32_t first_file;       /* number of the first file that is not part of the library */
   uint64_t target;           /* greatest level of an activation (number of stack slots below it) in which stepping
@@ -140,8 +139,8 @@ struct vs_scheme {
   uint64_t steps;                  /* number of turns used up to the last poll */
   double started;
   uint64_t written;                /* number of bytes that the current evaluation has printed and written */
-  bool over_limit;                 /* whether the user's memory limit was the reason for the last refusal of memory, and
-                                    * not the system */
+  bool over_limit;                 /* whether the last refusal of memory was due to the user's memory limit, and not to
+                                    * the system */
   size_t fail_after;               /* for debugging: number of allocations that succeed before one fails; 0: none
                                     * fails */
 

@@ -37,8 +37,8 @@ bool vs_dual_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_valu
   enum { AV, AS, BV, BS, V, S, ROOTS };
   VS_ROOTS(vm, r, ROOTS);
   int64_t la = vs_dual_level(&a, 1), lb = vs_dual_level(&b, 1), level = la > lb ? la : lb;
-  bool va = la == level, vb = lb == level; /* va, vb: whether a and b depend on the variable of `level`, the higher of
-                                            * their levels */
+  bool va = la == level, vb = lb == level; /* va, vb: whether a and b depend on the variable of `level`, the higher
+                                            * level of the two numbers */
   VS_ASSERT(la >= 0 || lb >= 0);
   r[AV] = vs_dual_value(a, level), r[AS] = vs_dual_slope(a, level);
   r[BV] = vs_dual_value(b, level), r[BS] = vs_dual_slope(b, level);

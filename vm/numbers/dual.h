@@ -23,14 +23,14 @@ static inline vs_value vs_dual_base(vs_value v) { /* Returns v without its slope
 static inline bool vs_is_scalar(vs_value v) { return vs_is_number(vs_dual_base(v)); }
 /* Returns the highest level among the n values; -1 if none of them is a dual number. */
 int64_t vs_dual_level(const vs_value *at, size_t n);
-/* vs_dual_value and vs_dual_slope return the value and the derivative of v in the variable of this level. If v does not
- * depend on the variable, they return v and the exact 0. */
+/* Returns the value of v without its derivative in the variable of this level. If v does not depend on the variable,
+ * returns v. */
 vs_value vs_dual_value(vs_value v, int64_t level);
 vs_value vs_dual_slope(vs_value v, int64_t level);
 
 /* Sets *out to a dual number. The levels of value and slope must be lower than `level`. */
 bool vs_make_dual(vs_scheme *vm, int64_t level, vs_value value, vs_value slope,
-                  vs_value *out); /* more than VS_DUAL_DEPTH nested dual numbers are an error */
+                  vs_value *out); /* nesting more than VS_DUAL_DEPTH dual numbers is an error */
 /* Computes a + b, a - b, a * b or a / b, where at least one operand is a dual. */
 bool vs_dual_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_value *out);
 /* Computes f(v) for a number or dual; f must be one of the functions whose derivatives dual.c contains. */

@@ -370,8 +370,8 @@ bool vs_int_bitwise(vs_scheme *vm, char op, vs_value a, vs_value b, vs_value *ou
   return true;
 }
 
-/* ---- integers as texts: GMP's conversions do not poll, so they are used for at most PIECE digits. A longer number is
- * divided by, or composed with, radix to the power PIECE * 2^k, about as GMP does internally ---- */
+/* ---- integers as texts: GMP converts at most PIECE digits at once; a longer number is divided into pieces, or
+ * composed of pieces ---- */
 
 enum { PIECE = 20000, SQUARINGS = 14 /* PIECE * 2^14 digits exceed the largest number */ };
 
@@ -438,8 +438,8 @@ bool vs_int_print(vs_scheme *vm, vs_value a, int radix, vs_text *t) {
   if (!piece_powers(vm, radix, (double)vs_int_bits(a) / log2(radix), p, &count)) return false;
   todo[0].level = count;
   todo[0].first = true;
-  while (top >= 0) {                         /* each part of level k is less than p[k - 1]^2, or for level 0 less than
-                                              * p[0] */
+  while (top >= 0) {                         /* a part of level k is less than p[k - 1]^2; a part of level 0 is less
+                                              * than p[0] */
     int level = todo[top].level;
     bool first = todo[top].first;
     if (level == 0) {
@@ -474,8 +474,8 @@ static bool piece_from_digits(vs_scheme *vm, const unsigned char *digits, size_t
 
 bool vs_int_from_digits(vs_scheme *vm, const unsigned char *digits, size_t n, int radix, bool negative, vs_value *out) {
   VS_ROOTS(vm, p, SQUARINGS);
-  VS_ROOTS(vm, r, 3);                        /* roots of the garbage collector: the pieces, the lowest first, and the
-                                              * two pieces that are being joined */
+  VS_ROOTS(vm, r, 3);                        /* roots of the garbage collector: the pieces of digits, the lowest first,
+                                              * and two pieces that are being joined */
   int count;
   VS_ASSERT(radix >= 2 && radix <= 36);
   while (n && *digits == 0) digits++, n--;

@@ -122,7 +122,7 @@ bool vs_flat_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_valu
     const vs_value both[2] = {a, b};
     return vm->flat->call(vm, (const char *const[]){"+", "-", "*", "/"}[op], both, 2, out);
   }
-  double number = 0;   /* value of the operand that is no record; it may be a ratio or bignum */
+  double number = 0;   /* value of the operand that is a number and no record; it may be a ratio or bignum */
   vs_value other = ta ? b : a;
   bool numbers = (ta && tb) || (vs_is_number(other) && vs_number_double(vm, other, &number));
   int rule = vm->flat && numbers ? vm->flat->at[op][ta][tb].rule : VS_RULE_NONE;
@@ -316,7 +316,7 @@ bool vs_number_modulo(vs_scheme *vm, vs_value a, vs_value b, vs_value *out) {
 
 bool vs_number_abs(vs_scheme *vm, vs_value a, vs_value *out) {
   if (vs_is_double(a)) return *out = vs_flonum_raw(fabs(vs_double(a))), true;
-  if (vs_is_dual(a)) { /* at 0 the absolute value has no derivative; the one for positive numbers is used */
+  if (vs_is_dual(a)) { /* the absolute value has no derivative at 0; the derivative for positive numbers is used */
     bool below;
     if (!vs_number_test(vm, VS_LT, a, vs_fix(0), &below)) return false;
     return below ? vs_number_sub(vm, vs_fix(0), a, out) : (*out = a, true);

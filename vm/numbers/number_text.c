@@ -344,7 +344,7 @@ static bool scan_decimal(const scan *in, const char *p, vs_value *out) {
     }
     if (minus) exponent = -exponent;
   } else if (!point) {
-    return true;                                  /* a plain integer was already tried, without success */
+    return true;                                  /* the text is no plain integer, which was tried before */
   }
   unsigned char small[64], *digits = n <= sizeof small ? small : vs_mem(in->vm, NULL, 0, n);
   if (!digits) return vs_fail_memory(in->vm);

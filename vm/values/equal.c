@@ -12,9 +12,8 @@ typedef struct equal_pair { vs_value a, b; } equal_pair;
 typedef struct equal_walk {
   vs_scheme *vm;
   equal_pair *todo; size_t count, room;
-  equal_pair *notes; size_t noted, slots;          /* notes: hash table of compared pairs, with open addressing; in a
-                                                    * free slot, a is 0, which is no object. noted: number of pairs;
-                                                    * slots: number of slots */
+  equal_pair *notes; size_t noted, slots;          /* notes: hash table of compared pairs, with open addressing; a is 0
+                                                    * in a free slot. noted: number of pairs; slots: number of slots */
 } equal_walk;
 
 static uint64_t mix(uint64_t h, uint64_t v) {

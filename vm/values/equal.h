@@ -10,9 +10,8 @@ static inline bool vs_eqv(vs_value a, vs_value b) {
 bool vs_equal(vs_scheme *vm, vs_value a, vs_value b, bool *out);      /* Sets *out to whether a and b are equal as by
                                                                        * equal?. Returns false when memory is out or a
                                                                        * limit is reached. */
-/* Returns the hash of v for a table of this kind, VS_TABLE_EQ to VS_TABLE_STRING. EQ and EQV use the addresses of
- * objects; EQUAL uses them for procedures, ports and similar objects. Sets *moves to true if the hash depends on the
- * address of a young object. The hash is then valid only until vm->collections changes. */
+/* Returns the hash of v for a table of this kind, VS_TABLE_EQ to VS_TABLE_STRING. Sets *moves to true if the hash
+ * depends on the address of a young object, and is valid only until vm->collections changes. */
 uint64_t vs_hash(vs_scheme *vm, vs_value v, uint32_t kind, bool *moves);
 
 #endif

@@ -36,16 +36,14 @@ typedef struct vs_flat_rules {
   /* at[operator][left tag][right tag]: the rule, and the tag of the result; -x is computed as 0 - x */
   struct { uint8_t rule, tag; } at[VS_OP_COUNT][VS_FLAT_TAGS][VS_FLAT_TAGS];
   /* Procedures whose calls are compiled to one instruction. A `maker` creates a record of n numbers. A getter returns
-   * the double at an index of a record whose tag is in the mask. In all other cases the native of the same name is
-   * called, which also reports errors. */
+   * the double at an index of a record. */
   int makers, getters;
   struct { const char *name; uint8_t tag, n; } maker[64];
   struct { const char *name; uint64_t mask; uint8_t index; } getter[64];
   /* Procedures of two records with three fields, of a record and a number (right tag 0), or of a single record. The
    * result is a record with the tag `result`, or a number if `result` is 0. */
-  /* Computes the procedure `name` for n arguments, at least one of which is a record of a type with VS_RULE_CALL. The
-   * procedures are arithmetic, functions of one number, and tests, which return #t or #f. NULL if no type has the rule
-   * VS_RULE_CALL. */
+  /* Computes the procedure `name` for n arguments, at least one of which is a record of a type with VS_RULE_CALL. NULL
+   * if no type has this rule. */
   bool (*call)(vs_scheme *vm, const char *name, const vs_value *a, int n, vs_value *out);
   int binaries, unaries;
   struct { const char *name; uint8_t kind, left, right, result; } binary[32];

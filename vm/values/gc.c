@@ -27,14 +27,13 @@ enum {
   BLOCK_DATA = BLOCK - 32,
   CHUNK_BLOCKS = 64,
   CHUNK_LEAST = 2 << 20, CHUNK_MOST = 4 << 20,      /* bounds of the size of a chunk in a large heap, in bytes */
-  /* STARVED: if the host refuses memory, a major collection runs. Before the next one for this reason, 1/STARVED of the
-   * heap must have been allocated. */
+  /* STARVED: if the host refuses memory, a major collection runs. Before the next collection for this reason, 1/STARVED
+   * of the heap must have been allocated. */
   STARVED = 64,
   GC_MARK = 1, GC_REMEMBERED = 2, GC_FREE = 4, GC_MOVED = 8, GC_LARGE = 16
 };
-/* For VS_DEBUG_STRESS. A collection at every allocation visits all roots, of which a deep recursion has a million. If a
- * minor collection visits more than STRESS_VISITS slots, some later collections are skipped in proportion. A whole
- * collection, with a check of the heap, runs once in (heap bytes / STRESS_BYTES) allocations. */
+/* For VS_DEBUG_STRESS. If a minor collection visits more than STRESS_VISITS slots, some later collections are skipped.
+ * A whole collection runs once in (heap bytes / STRESS_BYTES) allocations. */
 enum { STRESS_VISITS = 2048, STRESS_BYTES = 256 };
 #if VS_DEBUG_SMALL
 enum { NURSERY = 32 << 10, FIRST_MAJOR = 256 << 10 };
@@ -374,8 +373,7 @@ void vs_gc_external(vs_scheme *vm, int64_t bytes) {
 }
 
 /* The number of bytes that a host's object keeps in use is stored in 16 bits of the Scheme object's header: a number of
- * CHARGE_DIGITS bits, rounded up, and a shift. The collector adds this rounded number when the object is created, and
- * subtracts exactly the same number when it dies. */
+ * CHARGE_DIGITS bits, rounded up, and a shift. */
 enum { CHARGE_DIGITS = 11, CHARGE_MASK = (1 << CHARGE_DIGITS) - 1 };
 static uint16_t gc_charge(size_t bytes) {
   unsigned shift = 0;
@@ -458,9 +456,8 @@ static void minor_visit(vs_scheme *vm, vs_value *slot) {
     size_t words = o->words;
     for (size_t i = 0; i < words; i++) to[i] = corpse[i];     /* most objects have a few words, for which a loop is
                                                                * faster than a call of memcpy */
-    /* The header of the moved object now contains GC_MOVED in its low bytes, and above them the address of the next
-     * copy in the worklist. Word 1 is the object's new address. An object without references is not added to the
-     * worklist. */
+    /* The header of the moved object now contains GC_MOVED, and above it the address of the next copy in the worklist.
+     * Word 1 is the object's new address. */
     corpse[0] = (uint64_t)GC_MOVED << 8;
     corpse[1] = (uint64_t)(uintptr_t)copy;
     if (traced) {
@@ -556,8 +553,7 @@ void vs_gc_minor(vs_scheme *vm) {
   vs_value was = vm->condition;
   gc->ready = gc_reserve(vm);
   vm->condition = was;
-  /* If memory for the reserved blocks is refused, the nursery remains closed. The next allocation tries again to
-   * reserve them, and fails if memory is still refused. */
+  /* If memory for the reserved blocks is refused, the nursery remains closed, and the next allocation tries again. */
   if (gc->ready) gc_hold_down(vm); else vm->end = vm->free;
   if (VS_DEBUG_CHECK && !vs_gc_check(vm)) __builtin_trap();
 }

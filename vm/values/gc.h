@@ -75,8 +75,7 @@ bool vs_intern(vs_scheme *vm, const char *name, size_t bytes, vs_value *out);
  * call vs_gc_alloc(vm, VS_T_X, VS_WORDS(vs_x)), and set its fields before the next allocation. */
 #define VS_WORDS(ctype) ((sizeof(ctype) + 7) / 8)
 
-/* ---- memory outside objects, which counts towards the memory limit. old_bytes: size of the last request for p. Result
- * NULL: refused, with an error set unless bytes is 0 ---- */
+/* ---- memory outside objects, which counts towards the memory limit ---- */
 /* Allocates (p NULL), frees (bytes 0) or resizes memory. */
 void *vs_mem(vs_scheme *vm, void *p, size_t old_bytes, size_t bytes);
 

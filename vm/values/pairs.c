@@ -10,7 +10,7 @@ bool vs_list_onto(vs_scheme *vm, vs_value *list, vs_value tail, vs_value *out) {
   *out = tail;
   for (uint64_t i = 1; vs_is_pair(*list); i++, *list = vs_cdr(*list))
     if (!vs_cons(vm, vs_car(*list), *out, out) || (i % POLL_STEP == 0 && !vs_poll(vm, POLL_COST))) return false;
-  VS_ASSERT(*list == VS_NIL); /* otherwise the list was not a proper list */
+  VS_ASSERT(*list == VS_NIL); /* if the rest is not (), the list was not a proper list */
   return true;
 }
 

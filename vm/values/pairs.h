@@ -13,8 +13,7 @@ static inline vs_value vs_captures(const vs_scheme *vm) { return VS_TAG_FIXNUM <
 bool vs_list_onto(vs_scheme *vm, vs_value *list, vs_value tail, vs_value *out);
 
 /* Sets *out to the reverse of *list, to which only the caller has a reference. captures: number of continuations when
- * the caller began to build the list. If the number has not changed, no continuation can return to the incomplete list,
- * and its pairs are reversed in place. */
+ * the caller began to build the list. If the number has not changed, the pairs are reversed in place. */
 bool vs_list_own_turned(vs_scheme *vm, vs_value *list, vs_value captures, vs_value *out);
 
 /* Returns 1 if v is a proper list of fewer than 32 elements, and 0 if v has fewer than 32 pairs and ends in another

@@ -129,9 +129,8 @@ static inline vs_value vs_from_object(const void *o) {
 }
 static inline bool vs_is(vs_value v, int type) { return vs_is_object(v) && vs_object_of(v)->type == type; }
 
-/* A position in a source file, in 48 bits, so that it fits a fixnum (vs_fix(pos), and back with vs_pos_of): file number
- * (vm->at.files) 12 bits, line 22 bits, column 14 bits. Larger numbers are replaced by the greatest that fits. Lines
- * and columns are counted from 1; 0 means unknown. Columns count characters. */
+/* A position in a source file, in 48 bits, so that it fits a fixnum: file number 12 bits, line 22 bits, column 14 bits.
+ * Lines and columns are counted from 1; 0 means unknown. */
 typedef uint64_t vs_pos;
 static inline vs_pos vs_pos_make(uint32_t file, uint32_t line, uint32_t col) {
   if (file > 0xFFF) file = 0;
@@ -212,8 +211,8 @@ typedef struct {
   uint32_t inlined, inlined_arg;
 } vs_native;
 
-/* A global variable. `users` is a list of code objects. In this code, instructions have replaced calls of the
- * variable's value while it was VS_F_CONSTANT; a redefinition restores these calls. */
+/* A global variable. `users` is a list of code objects, in which instructions have replaced calls of the variable's
+ * value; a redefinition restores these calls. */
 typedef struct { vs_object h; vs_value value, name, users; } vs_cell;
 typedef struct { vs_object h; vs_value value; } vs_box;
 typedef struct { vs_object h; uint64_t count; vs_value at[]; } vs_values;      /* several values of one expression;
@@ -232,10 +231,7 @@ static inline uint32_t vs_flat_count(const vs_flat *f) { return f->h.words - 1; 
 typedef struct { vs_object h; vs_value level /* level: a fixnum */, value, slope; } vs_dual;
 
 /* A hash table in insertion order. `entries` is a vector of triples: key, value, hash (a fixnum); the key of a removed
- * entry is VS_VACANT. `index` is BYTES of u32 (entry number + 1; 0: free), with open addressing and a power of two of
- * slots. A key hashed by its address (eq?/eqv? on objects) changes its hash when it leaves the nursery. Entries from
- * number `young` on were added since collection number `epoch`. table.c inserts them again when vm->collections has
- * changed. */
+ * entry is VS_VACANT. `index` is BYTES of u32: entry number + 1, or 0 for a free slot. */
 typedef struct {
   vs_object h;
   vs_value entries, index;
@@ -261,9 +257,8 @@ typedef struct {
 typedef struct { vs_object h; vs_value done, value; } vs_promise;
 typedef struct { vs_object h; vs_value value, converter, name; } vs_parameter;
 
-/* An error of the system or of (error ...). It is printed as MESSAGE IRRITANT ...: "make-sphere: r must be positive,
- * got" (-2). `chain` is a list of (procedure name . place as a fixnum), innermost first. `place` is the place of the
- * failing call. `kind` is a symbol, `message` a string. */
+/* An error of the system or of (error ...). It is printed as MESSAGE IRRITANT .... `chain` is a list of (procedure name
+ * . place as a fixnum), innermost first. `place` is the place of the failing call. */
 typedef struct { vs_object h; vs_value kind, message, irritants /* irritants: a list */, chain, payload,
     calls /* calls: the running calls with their variables (activation.c), or #f */; vs_pos place; } vs_condition;
 
@@ -289,8 +284,7 @@ typedef struct { vs_object h; vs_value name, env, data; uint64_t mark; } vs_alia
 typedef struct { vs_object h; uint64_t count; vs_value name[]; } vs_keywords;
 
 /* A reference to an object of the host. `type` has the functions for the object (native.h); its release(object) is
- * called when the reference dies. `with` is for the host, and NULL at first. h.flags encodes the number of bytes that
- * the object adds to the garbage collector's budget (gc.c). */
+ * called when the reference dies. `with` is for the host, and NULL at first. */
 typedef struct { vs_object h; const struct vs_foreign_type *type; void *object; const void *with; } vs_foreign;
 
 /* ---- access to objects; the caller must have tested the type ---- */
