@@ -66,6 +66,7 @@ bool vs_port_parameter_fits(const vs_scheme *vm, vs_value parameter, vs_value v)
 /* Returns the current output port: the value of its parameter object or, before this object exists, the standard
  * port. */
 vs_value vs_port_current_output(vs_scheme *vm);
+/* Returns the current input port, as vs_port_current_output does for output. */
 vs_value vs_port_current_input(vs_scheme *vm);
 
 /* Creates the three standard ports and their parameter objects (vm->at.standard_..., vm->at.lib) if they do not exist.

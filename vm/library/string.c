@@ -323,8 +323,8 @@ static bool ends_word(vs_value s, size_t i) {
   return before > 0 && is_cased(vs_string_at(s, before - 1)) && !(after < length && is_cased(vs_string_at(s, after)));
 }
 
-/* Appends the upper case of a character to t. If the case folding of a small letter has several characters (ß), appends
- * the upper case of these characters. */
+/* Appends the upper case of a character to t. If the case folding of a small letter has several characters, as that
+ * of ß has, appends the upper case of these characters. */
 static bool put_capitals(vs_text *t, uint32_t c) {
   utf8proc_int32_t folded[8];
   utf8proc_ssize_t m = c < 0x80 || utf8proc_category((utf8proc_int32_t)c) == UTF8PROC_CATEGORY_LU
@@ -378,7 +378,7 @@ static vs_status string_foldcase(vs_scheme *vm, vs_value *a, int n, vs_value *ou
 /* ---- searching in strings ---- */
 
 /* Data for searching a text. border[i]: length of the longest proper prefix of the text's first i + 1 characters that
- * is also their suffix (Knuth, Morris and Pratt); NULL for a text of one character. */
+ * is also their suffix (Knuth, Morris and Pratt). `border` is NULL for a text of one character. */
 typedef struct { uint32_t *border; int64_t length; } needle;
 
 static bool needle_open(vs_scheme *vm, vs_value text, needle *d) {

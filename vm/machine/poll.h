@@ -16,6 +16,7 @@ void vs_refuel(vs_scheme *vm);
 /* Works as memmove, in pieces with polls between them. A block larger than a piece must not be in an object that the
  * garbage collector could move. */
 bool vs_poll_move(vs_scheme *vm, void *to, const void *from, size_t bytes);
+/* Works as memset, in pieces with polls between them; for the same blocks as vs_poll_move. */
 bool vs_poll_set(vs_scheme *vm, void *to, int byte, size_t bytes);
 
 #endif

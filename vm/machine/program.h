@@ -12,7 +12,9 @@
 /* Creates the environment of the library with all natives and the syntax in C (vm->at.core), unless a heap image
  * contains it. */
 bool vs_front_open(vs_scheme *vm);
+/* Runs a Scheme file of the library, after vs_front_open. */
 bool vs_library_load(vs_scheme *vm, const char *name, const char *text, size_t size);
+/* Makes the definitions of the library constant, after its last file was loaded. */
 void vs_library_done(vs_scheme *vm);
 
 /* Creates the environment of a program, which imports the complete library. vm->at.program is the environment of the

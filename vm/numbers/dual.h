@@ -26,6 +26,7 @@ int64_t vs_dual_level(const vs_value *at, size_t n);
 /* Returns the value of v without its derivative in the variable of this level. If v does not depend on the variable,
  * returns v. */
 vs_value vs_dual_value(vs_value v, int64_t level);
+/* Returns the derivative of v in the variable of this level, or the exact 0 if v does not depend on the variable. */
 vs_value vs_dual_slope(vs_value v, int64_t level);
 
 /* Sets *out to a dual number. The levels of value and slope must be lower than `level`. */

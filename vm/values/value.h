@@ -257,8 +257,8 @@ typedef struct {
 typedef struct { vs_object h; vs_value done, value; } vs_promise;
 typedef struct { vs_object h; vs_value value, converter, name; } vs_parameter;
 
-/* An error of the system or of (error ...). It is printed as MESSAGE IRRITANT .... `chain` is a list of (procedure name
- * . place as a fixnum), innermost first. `place` is the place of the failing call. */
+/* An error of the system or of (error ...). It is printed as its message and irritants. `chain` is a list of
+ * (procedure name . place as a fixnum), innermost first. `place` is the place of the failing call. */
 typedef struct { vs_object h; vs_value kind, message, irritants /* irritants: a list */, chain, payload,
     calls /* calls: the running calls with their variables (activation.c), or #f */; vs_pos place; } vs_condition;
 
