@@ -66,7 +66,8 @@ typedef struct vs_config {
                               * exist as long as the interpreter */
   const struct vs_shipped *shipped; /* libraries in Scheme that vs itself contains (source.h), or NULL */
   const char *const *command_line; size_t command_line_count; /* elements of the value of (command-line),
-                                                               * command_line_count of them; 0: the value is ("vs") */
+                                                               * command_line_count of them; 0: the value is ("vs").
+                                                               * The texts must exist as long as the interpreter */
   /* Receives the value of a top-level expression of the program or of a file that it loads. Returns false with the
    * error set. May be NULL. */
   bool (*value)(vs_scheme *vm, vs_value v, vs_pos place);
@@ -75,8 +76,8 @@ typedef struct vs_config {
   void (*dropped)(vs_scheme *vm, vs_value v);
   /* Warns about a construct that is permitted but surely not intended. Must not allocate in the heap. May be NULL. */
   void (*warn)(vs_scheme *vm, vs_pos place, const char *message);
-  /* Warns about a construct that is permitted but seldom intended, once for each place and kind (any constant text).
-   * May be NULL. */
+  /* Warns about a construct that is permitted but seldom intended, once for each place and kind (any constant text). A
+   * NULL message means that this place needs no warning of this kind. May be NULL. */
   void (*suspect)(vs_scheme *vm, const char *kind, const char *message);
 } vs_config;
 
