@@ -271,7 +271,7 @@ static void plan_value(tr_writer *w, tr_index n, int level) {
   case TR_CALL: plan_call(w, n); break;
   case TR_PROCEDURE:
     if (tr_is_solid(w->t, body_of(w, n)) || at(w, body_of(w, n))->draws) {
-      tr_complain(w->t, n, "a procedure that makes solids cannot be handed over in OpenSCAD");
+      tr_complain(w->t, n, "a procedure that makes solids cannot be used as a value in OpenSCAD");
       break;
     }
     if (level > TR_LOOSE) tr_plan(w, "(");
@@ -408,7 +408,7 @@ static void plan_solid_call(tr_writer *w, tr_index n) {
   tr_index callee = at(w, n)->first;
   const tr_variable *v = at(w, callee)->kind == TR_NAME ? var(w, callee) : NULL;
   if (!v || !v->module) {
-    tr_complain(w->t, n, v && !v->procedure ? "a procedure that makes solids cannot be handed over in OpenSCAD"
+    tr_complain(w->t, n, v && !v->procedure ? "a procedure that makes solids cannot be used as a value in OpenSCAD"
                 : "this gives no solid that OpenSCAD could place");
     return;
   }

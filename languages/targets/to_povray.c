@@ -69,7 +69,7 @@ static bool takes_solid(const tr_writer *w, tr_index procedure, uint32_t nth) {
 static void plan_call(tr_writer *w, tr_index n) {
   tr_index callee = at(w, n)->first, b;
   if (at(w, callee)->kind != TR_NAME || !var(w, callee)->procedure) {
-    tr_complain(w->t, n, "POV-Ray's macros are no values: a procedure that is handed over cannot be called");
+    tr_complain(w->t, n, "POV-Ray's macros are no values: a procedure that is used as a value cannot be called");
     return;
   }
   const tr_variable *v = var(w, callee);
@@ -322,7 +322,7 @@ static void plan_value(tr_writer *w, tr_index n, int level) {
     else if (node->row) no_macros(w, n), plan_primitive(w, n, level);
     break;
   case TR_CALL: plan_call(w, n); break;
-  case TR_PROCEDURE: tr_complain(w->t, n, "POV-Ray's macros are no values: a procedure cannot be handed over"); break;
+  case TR_PROCEDURE: tr_complain(w->t, n, "POV-Ray's macros are no values: a procedure cannot be used as a value"); break;
   case TR_BODY: {
     bool brackets = in_brackets(node->type, node->colour);
     if (brackets) tr_plan(w, "(");

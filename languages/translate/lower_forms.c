@@ -474,7 +474,7 @@ static void expression(lowering *l, know_index n, tr_index into) {
     const char *word = builtin(l, n);
     tr_index clause;
     if (word) as_value(l, n, into, word);
-    else if (s && tr_clause_of(l, s, 0, &clause)) unable(l, n, "a case-lambda that is handed over");
+    else if (s && tr_clause_of(l, s, 0, &clause)) unable(l, n, "a case-lambda that is used as a value");
     else if (s) become(l, into, TR_NAME, ""), at(l, into)->variable = s;
     else unable(l, n, l->k->names[node->name].text);
     return;
