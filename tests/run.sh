@@ -29,7 +29,7 @@ trap 'exit 130' INT TERM
 # (tests/unit/skip.h). A program that crashes has failed, for any earlier output.
 suite_unit() { # PROGRAM of BUILD/unit
   # A unit test may start workers: seconds, not minutes; more for all cases, for many seeds, or with a sanitizer.
-  limited "$([ -z "${SEEDS:-}${LONG:-}" ] && echo "${UNIT_SECONDS:-300}" || echo 36000)" env CMOCKA_MESSAGE_OUTPUT=TAP "$BUILD/unit/$1" > "$work/out" 2> "$work/err"
+  limited "$([ -z "${SEEDS:-}${LONG:-}" ] && echo "${UNIT_SECONDS:-900}" || echo 36000)" env CMOCKA_MESSAGE_OUTPUT=TAP "$BUILD/unit/$1" > "$work/out" 2> "$work/err"
   status=$?
   awk -v name="unit/$1" '
     /^skip /   { sub(/^skip /, ""); why = $0; next }

@@ -47,7 +47,7 @@ static const struct { const char *kind, *text; } by_hand[] = {
                    "(make-circle (xyz 0 0 4) 1)) (list bow (do-rotate bow 'z pi))))" },
   { "with-material", "(unite (with-material \"brick\" $s) (with-material \"glass\" $s))" },
   { "layer", "(unite (layer \"walls\" $s) $s)" },
-  { "part", "(unite (part \"leg\" $s) (part \"top\" (part \"a\" $s)))" },
+  { "part", "(part \"leg\" $s)" },
   { "native", "(native 'povray \"sphere { 0, 1 }\" #:otherwise $s)" },
   { "highlight", "(highlight $s)" },
   { "custom", "(let () (define-primitive (slab w) (make-box origin 2 w 1)) (unite (slab $n) $s))" },
