@@ -11,9 +11,8 @@
 #include "geometry/measure/measure.h"
 #include "geometry/measure/mesh_gap.h"
 #include "geometry/measure/mesh_parts.h"
-#include "kernel/memory.h"
-#include "kernel/mesh/bvh.h"
 #include "model/store/array.h"
+#include "solids/near_boxes.h"
 #include "solids/solid_measures.h"
 
 #define CONTACT 1e-7 /* two parts touch if their distance is at most this fraction of their size */
@@ -49,32 +48,13 @@ static int by_numbers(const void *p, const void *q) {
   return x->b < y->b ? -1 : x->b > y->b;
 }
 
-/* Finds the pairs of parts whose bounding boxes are at most the clearance apart, with a tree of boxes. */
+/* Finds the pairs of parts whose bounding boxes are at most the clearance apart. */
 static bool find_pairs(search *s) {
   uint32_t n = (uint32_t)s->parts->count;
-  vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
-  vs_kernel k = { .options = s->options, .error = &why, .threads = 1 };
-  vs_bvh tree = { 0 };
-  vs_bvh_box *boxes = vs_fresh(n, sizeof *boxes);
   vs_bounds all = vs_bounds_empty();
   for (uint32_t i = 0; i < n; i++) vs_bounds_unite(&all, &s->boxes[i]);
-  double low[3] = { all.min.x, all.min.y, all.min.z }, size = vs_bounds_diagonal(&all) + s->rule->clearance;
-  double step = size > 0 ? size * 0x1p-28 : 1, reach = s->rule->clearance / 2 + CONTACT * size;
-  for (uint32_t i = 0; boxes && i < n; i++) {
-    const vs_bounds *b = &s->boxes[i];
-    double from[3] = { b->min.x, b->min.y, b->min.z }, to[3] = { b->max.x, b->max.y, b->max.z };
-    boxes[i] = vs_box_nowhere;
-    for (int a = 0; !vs_bounds_is_empty(b) && a < 3; a++) {
-      boxes[i].min[a] = (int32_t)floor((from[a] - reach - low[a]) / step);
-      boxes[i].max[a] = (int32_t)ceil((to[a] + reach - low[a]) / step);
-    }
-  }
-  bool ok = boxes && vs_bvh_build(&k, &tree, boxes, n) && vs_bvh_pairs(&k, &tree, 0, UINT32_MAX, note, s);
-  vs_bvh_free(&k, &tree);
-  free(boxes);
-  if (!ok && why.status == VS_KERNEL_INTERRUPTED)
-    return vs_error_set(s->error, VS_ERROR_INTERRUPT, NULL, "interrupted");
-  if (!ok) return vs_error_memory(s->error, NULL);
+  double apart = s->rule->clearance + 2 * CONTACT * (vs_bounds_diagonal(&all) + s->rule->clearance);
+  if (!vs_near_boxes(s->boxes, n, apart, s->options, note, s, s->error)) return false;
   if (s->pair_count) qsort(s->pairs, s->pair_count, sizeof *s->pairs, by_numbers);
   return true;
 }

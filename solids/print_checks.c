@@ -14,9 +14,9 @@
 #include "geometry/nets/mesh_edges.h"
 #include "kernel/cluster.h"
 #include "kernel/memory.h"
-#include "kernel/mesh/bvh.h"
 #include "kernel/mesh/shells.h"
 #include "model/store/array.h"
+#include "solids/near_boxes.h"
 
 #define OPPOSITE (-0.8660254) /* cosine of the angle between normals of opposite facets: 150 degrees */
 #define SMOOTH 0.76           /* cosine of the angle between normals of neighbours that make one fault */
@@ -37,8 +37,6 @@ typedef struct {
   vs_error *error;
   bool outside;             /* true while gaps between faces are searched, false while walls are searched */
   double limit;             /* faces opposite each other at a smaller distance than this are a fault */
-  bool interrupted;
-  uint32_t ticks;
 } check;
 
 static void corners_of(const check *c, uint32_t t, vs_vec3 at[3]) {
@@ -135,7 +133,6 @@ static bool opposite(check *c, uint32_t a, uint32_t b, vs_print_fault *f) {
 static bool examine(void *context, uint32_t a, uint32_t b) {
   check *c = context;
   vs_print_fault f;
-  if ((++c->ticks & 4095) == 0 && c->options && !vs_job_done(c->options->job, 0)) return c->interrupted = true, false;
   if (!(vs_v3_dot(c->normals[a], c->normals[b]) < OPPOSITE)) return true;
   if (!opposite(c, a, b, &f) && !opposite(c, b, a, &f)) return true;
   c->marked[a] = c->marked[b] = true;
@@ -150,31 +147,18 @@ static bool examine(void *context, uint32_t a, uint32_t b) {
 /* Finds all walls that are thinner than the limit, or if c->outside is true, all gaps that are narrower. */
 static bool find_opposite(check *c) {
   uint32_t n = (uint32_t)c->m->triangle_count;
-  vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
-  vs_kernel k = { .options = c->options, .error = &why, .threads = 1 };
-  vs_bvh tree = { 0 };
-  vs_bvh_box *boxes = vs_fresh(n, sizeof *boxes);
-  vs_bounds all = vs_mesh_bounds(c->m);
-  double low[3] = { all.min.x, all.min.y, all.min.z }, size = vs_bounds_diagonal(&all), step = size * 0x1p-28;
-  double reach = fmin(c->limit, size) / 2;
-  for (uint32_t i = 0; boxes && i < n; i++) {
+  vs_bounds all = vs_mesh_bounds(c->m), *boxes = vs_fresh(n, sizeof *boxes);
+  if (!boxes) return vs_error_memory(c->error, NULL);
+  for (uint32_t i = 0; i < n; i++) {
     vs_vec3 p[3];
-    vs_bounds b = vs_bounds_empty();
     corners_of(c, i, p);
-    for (int j = 0; j < 3; j++) vs_bounds_add(&b, p[j]);
-    double from[3] = { b.min.x, b.min.y, b.min.z }, to[3] = { b.max.x, b.max.y, b.max.z };
-    for (int j = 0; j < 3; j++) {
-      boxes[i].min[j] = (int32_t)floor((from[j] - reach - low[j]) / step);
-      boxes[i].max[j] = (int32_t)ceil((to[j] + reach - low[j]) / step);
-    }
+    boxes[i] = vs_bounds_empty();
+    for (int j = 0; j < 3; j++) vs_bounds_add(&boxes[i], p[j]);
   }
   begin_groups(c);
-  bool ok = boxes && vs_bvh_build(&k, &tree, boxes, n) && vs_bvh_pairs(&k, &tree, 0, UINT32_MAX, examine, c);
-  vs_bvh_free(&k, &tree);
+  bool ok = vs_near_boxes(boxes, n, fmin(c->limit, vs_bounds_diagonal(&all)), c->options, examine, c, c->error);
   free(boxes);
-  if (c->interrupted || why.status == VS_KERNEL_INTERRUPTED)
-    return vs_error_set(c->error, VS_ERROR_INTERRUPT, NULL, "interrupted");
-  return ok ? end_groups(c, false) : vs_error_memory(c->error, NULL);
+  return ok && end_groups(c, false);
 }
 
 /* ---- overhangs ---- */
