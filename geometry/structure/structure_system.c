@@ -30,13 +30,17 @@ static void add_own_stiffness(vs_structure_system *w) {
   }
 }
 
+static const vs_structure_plate *plate_global(const vs_structure *s, size_t i, vs_plate_matrix k) {
+  vs_vec3 at[3];
+  vs_structure_corners(s, &s->plates[i], at);
+  vs_plate_stiffness(&s->plates[i], at, k);
+  return &s->plates[i];
+}
+
 static void add_plates_stiffness(vs_structure_system *w) {
   for (size_t i = 0; i < w->s->plate_count; i++) {
-    const vs_structure_plate *p = &w->s->plates[i];
     vs_plate_matrix k;
-    vs_vec3 at[3];
-    vs_structure_corners(w->s, p, at);
-    vs_plate_stiffness(p, at, k);
+    const vs_structure_plate *p = plate_global(w->s, i, k);
     for (int a = 0; a < VS_PLATE_WAYS; a++)
       for (int b = a / VS_WAYS * VS_WAYS; b < a / VS_WAYS * VS_WAYS + VS_WAYS; b++)
         w->own[p->node[a / VS_WAYS]][a % VS_WAYS][b % VS_WAYS] += k[a][b];
@@ -91,11 +95,8 @@ static bool number_node(vs_structure_system *w, size_t n, const double *loads, v
 
 static void assemble_plates(vs_structure_system *w) {
   for (size_t i = 0; i < w->s->plate_count; i++) {
-    const vs_structure_plate *plate = &w->s->plates[i];
     vs_plate_matrix k;
-    vs_vec3 at[3];
-    vs_structure_corners(w->s, plate, at);
-    vs_plate_stiffness(plate, at, k);
+    const vs_structure_plate *plate = plate_global(w->s, i, k);
     for (int a = 0; a < VS_PLATE_WAYS; a++)
       for (int b = a; b < VS_PLATE_WAYS; b++) {
         uint32_t p = w->row[vs_structure_plate_way(plate, a)], q = w->row[vs_structure_plate_way(plate, b)];

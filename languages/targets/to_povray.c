@@ -322,7 +322,9 @@ static void plan_value(tr_writer *w, tr_index n, int level) {
     else if (node->row) no_macros(w, n), plan_primitive(w, n, level);
     break;
   case TR_CALL: plan_call(w, n); break;
-  case TR_PROCEDURE: tr_complain(w->t, n, "POV-Ray's macros are no values: a procedure cannot be used as a value"); break;
+  case TR_PROCEDURE:
+    tr_complain(w->t, n, "POV-Ray's macros are no values: a procedure cannot be used as a value");
+    break;
   case TR_BODY: {
     bool brackets = in_brackets(node->type, node->colour);
     if (brackets) tr_plan(w, "(");

@@ -1,5 +1,5 @@
-// Stands in for the module that VS Code gives to its extensions: documents, edits, the providers that a client registers. What the
-// tests do not look at answers to any name and any call.
+// Replaces the module that VS Code gives to its extensions: documents, edits, and the providers that a client registers.
+// A member that the tests do not examine accepts any name and any call.
 "use strict";
 const path = require("path"), url = require("url");
 
