@@ -76,9 +76,9 @@ static bool make_tree(search *s, uint32_t i) {
   if (s->trees[i]) return true;
   vs_fineness f = fineness(s, &s->boxes[i]);
   if (!vs_solid_evaluate(&s->parts->at[i], 1, &f, s->options, &solid, s->error)) return false;
-  s->trees[i] = vs_gap_tree_new(&solid.mesh);
+  s->trees[i] = vs_gap_tree_new(&solid.mesh, s->parts->at[i].node->store, s->error);
   vs_solid_free(&solid);
-  return s->trees[i] || vs_error_memory(s->error, NULL);
+  return s->trees[i] != NULL;
 }
 
 /* Sets *out to the centroid of the largest connected piece of the mesh. */

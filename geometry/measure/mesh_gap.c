@@ -9,92 +9,46 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "geometry/measure/ray_tree.h"
 #include "model/assert.h"
 #include "model/store/array.h"
 
-enum { LEAF = 2, PAIRS = 192, FACES_MOST = 400 /* LEAF: most triangles in a leaf of the tree. PAIRS: size of the stack
-                                                * of pairs of boxes. FACES_MOST: for a mesh with more triangles, no
-                                                * plane of a face is tried as a separating plane. */ };
+enum { PAIRS = 192, FACES_MOST = 400 /* PAIRS: size of the stack of pairs of boxes. FACES_MOST: for a mesh with more
+                                      * triangles, no plane of a face is tried as a separating plane. */ };
 
 typedef struct { vs_vec3 at[3], normal; } facet;
-typedef struct {
-  vs_bounds bounds;
-  uint32_t first, count; /* first, count: range of facets in a leaf of the tree; count 0: the node is no leaf, and its
-                          * children have the indices first and first + 1 */
-} box;
 
 struct vs_gap_tree {
-  facet *facets;
-  box *boxes;
-  vs_vec3 *vertices;
-  size_t count, box_count, vertex_count;
+  vs_mesh mesh;
+  vs_ray_tree tree;
+  facet *facets; /* in the order of the tree's triangles */
 };
 
 void vs_gap_tree_free(vs_gap_tree *t) {
   if (!t) return;
-  free(t->facets), free(t->boxes), free(t->vertices);
+  vs_ray_tree_free(&t->tree);
+  vs_mesh_free(&t->mesh);
+  free(t->facets);
   free(t);
 }
 
-static vs_bounds bounds_of(const facet *f, size_t count) {
-  vs_bounds b = vs_bounds_empty();
-  for (size_t i = 0; i < count; i++)
-    for (int k = 0; k < 3; k++) vs_bounds_add(&b, f[i].at[k]);
-  return b;
-}
-
-static double along(vs_vec3 p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
-static double middle(const facet *f, int axis) {
-  return along(f->at[0], axis) + along(f->at[1], axis) + along(f->at[2], axis);
-}
-
-/* Moves facets below the mean along the axis to the front of the array. Returns their number, or half of all if the
- * mean does not divide the facets. */
-static uint32_t divide(facet *f, uint32_t n, int axis) {
-  double sum = 0;
-  uint32_t low = 0;
-  for (uint32_t i = 0; i < n; i++) sum += middle(&f[i], axis);
-  for (uint32_t i = 0; i < n; i++)
-    if (middle(&f[i], axis) < sum / n) {
-      facet t = f[i];
-      f[i] = f[low], f[low++] = t;
-    }
-  return low > n / 4 && low < n - n / 4 ? low : n / 2;
-}
-
-static void plant(vs_gap_tree *t) {
-  t->boxes[t->box_count++] = (box){ bounds_of(t->facets, t->count), 0, (uint32_t)t->count };
-  for (size_t i = 0; i < t->box_count; i++) {
-    box *b = &t->boxes[i];
-    uint32_t first = b->first, n = b->count;
-    if (n <= LEAF) continue;
-    vs_vec3 size = vs_v3_sub(b->bounds.max, b->bounds.min);
-    uint32_t low = divide(t->facets + first, n, size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2);
-    b->first = (uint32_t)t->box_count, b->count = 0;
-    t->boxes[t->box_count++] = (box){ bounds_of(t->facets + first, low), first, low };
-    t->boxes[t->box_count++] = (box){ bounds_of(t->facets + first + low, n - low), first + low, n - low };
-  }
-}
-
-vs_gap_tree *vs_gap_tree_new(const vs_mesh *m) {
+vs_gap_tree *vs_gap_tree_new(vs_mesh *m, vs_store *store, vs_error *e) {
   vs_gap_tree *t = vs_zeros(1, sizeof *t);
-  if (!t) return NULL;
-  bool ok = VS_FRESH(t->facets, m->triangle_count) && VS_FRESH(t->boxes, 2 * m->triangle_count + 1) &&
-            VS_FRESH(t->vertices, m->vertex_count);
-  if (!ok) return vs_gap_tree_free(t), NULL;
-  for (size_t i = 0; i < m->triangle_count; i++) {
-    facet f;
-    for (int k = 0; k < 3; k++) f.at[k] = m->vertices[m->triangles[i][k]];
-    f.normal = vs_v3_unit(vs_v3_cross(vs_v3_sub(f.at[1], f.at[0]), vs_v3_sub(f.at[2], f.at[0])));
-    t->facets[t->count++] = f;
+  if (!t) return vs_error_memory(e, NULL), NULL;
+  t->mesh = *m, *m = (vs_mesh){ 0 };
+  if (!vs_ray_tree_make(&t->tree, store, &t->mesh, e)) return vs_gap_tree_free(t), NULL;
+  if (!VS_FRESH(t->facets, t->mesh.triangle_count)) return vs_gap_tree_free(t), vs_error_memory(e, NULL), NULL;
+  for (size_t i = 0; i < t->mesh.triangle_count; i++) {
+    facet *f = &t->facets[i];
+    for (int k = 0; k < 3; k++) f->at[k] = t->mesh.vertices[t->mesh.triangles[t->tree.order[i]][k]];
+    f->normal = vs_v3_unit(vs_v3_cross(vs_v3_sub(f->at[1], f->at[0]), vs_v3_sub(f->at[2], f->at[0])));
   }
-  if (m->vertex_count) memcpy(t->vertices, m->vertices, m->vertex_count * sizeof *m->vertices);
-  t->vertex_count = m->vertex_count;
-  plant(t);
   return t;
 }
 
 /* ---- distances ---- */
+
+static double along(vs_vec3 p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
 /* Returns the square of the distance between two boxes. */
 static double boxes_apart(const vs_bounds *a, const vs_bounds *b) {
@@ -190,20 +144,21 @@ static void touch(contact *c, const facet *a, const facet *b) {
 
 typedef struct { uint32_t a, b; } both;
 
+static double pair_apart(const vs_gap_tree *a, const vs_gap_tree *b, both p) {
+  return boxes_apart(&a->tree.nodes[p.a].box, &b->tree.nodes[p.b].box);
+}
+
 /* Pushes two pairs of boxes onto the stack: the children of the longer box of pair p, each with the other box of p.
  * Returns the new number of pairs. */
 static int open_pair(const vs_gap_tree *a, const vs_gap_tree *b, both p, both *stack, int todo) {
-  const box *x = &a->boxes[p.a], *y = &b->boxes[p.b];
-  bool first = !x->count && (y->count || vs_bounds_diagonal(&x->bounds) >= vs_bounds_diagonal(&y->bounds));
+  const vs_ray_node *x = &a->tree.nodes[p.a], *y = &b->tree.nodes[p.b];
+  bool first = !x->count && (y->count || vs_bounds_diagonal(&x->box) >= vs_bounds_diagonal(&y->box));
+  both near = first ? (both){ p.a + 1, p.b } : (both){ p.a, p.b + 1 };
+  both far = first ? (both){ x->first, p.b } : (both){ p.a, y->first };
+  bool swapped = pair_apart(a, b, near) > pair_apart(a, b, far);
   VS_ASSERT(todo + 2 <= PAIRS);
-  for (uint32_t k = 0; k < 2; k++)
-    stack[todo++] = first ? (both){ x->first + k, p.b } : (both){ p.a, y->first + k };
-  if (boxes_apart(&a->boxes[stack[todo - 1].a].bounds, &b->boxes[stack[todo - 1].b].bounds) >
-      boxes_apart(&a->boxes[stack[todo - 2].a].bounds, &b->boxes[stack[todo - 2].b].bounds)) {
-    both t = stack[todo - 1];
-    stack[todo - 1] = stack[todo - 2], stack[todo - 2] = t; /* the pair of boxes at the smaller distance is on top of
-                                                             * the stack, and is visited first */
-  }
+  stack[todo++] = swapped ? near : far;
+  stack[todo++] = swapped ? far : near; /* the pair of boxes at the smaller distance is visited first */
   return todo;
 }
 
@@ -213,8 +168,8 @@ static void descend(const vs_gap_tree *a, const vs_gap_tree *b, nearest *n, cont
   both stack[PAIRS] = { { 0, 0 } };
   for (int todo = 1; todo;) {
     both p = stack[--todo];
-    const box *x = &a->boxes[p.a], *y = &b->boxes[p.b];
-    double apart = boxes_apart(&x->bounds, &y->bounds);
+    const vs_ray_node *x = &a->tree.nodes[p.a], *y = &b->tree.nodes[p.b];
+    double apart = pair_apart(a, b, p);
     if (c ? apart > c->touching * c->touching : apart >= n->square) continue;
     if (!x->count || !y->count) {
       todo = open_pair(a, b, p, stack, todo);
@@ -231,7 +186,7 @@ bool vs_mesh_gap_find(const vs_gap_tree *a, const vs_gap_tree *b, double limit, 
   nearest n = { (limit > touching ? limit : touching) * (1 + 1e-12), { { 0, 0, 0 }, { 0, 0, 0 } } };
   contact c = { .touching = touching };
   *out = (vs_mesh_gap){ .distance = INFINITY };
-  if (!a->count || !b->count) return false;
+  if (!a->mesh.triangle_count || !b->mesh.triangle_count) return false;
   descend(a, b, NULL, &c);
   out->area = c.area;
   if (c.area > 0) {
@@ -248,22 +203,23 @@ bool vs_mesh_gap_find(const vs_gap_tree *a, const vs_gap_tree *b, double limit, 
 /* Returns true if the plane of some facet of a separates the two meshes: all of b in front of it, and all of a behind
  * it. */
 static bool divides(const vs_gap_tree *a, const vs_gap_tree *b, double slack) {
-  for (size_t i = 0; i < a->count; i++) {
+  for (size_t i = 0; i < a->mesh.triangle_count; i++) {
     const facet *f = &a->facets[i];
     bool clear = vs_v3_length(f->normal) > 0;
-    for (size_t k = 0; clear && k < b->vertex_count; k++)
-      clear = vs_v3_dot(vs_v3_sub(b->vertices[k], f->at[0]), f->normal) >= -slack;
-    for (size_t k = 0; clear && k < a->vertex_count; k++)
-      clear = vs_v3_dot(vs_v3_sub(a->vertices[k], f->at[0]), f->normal) <= slack;
+    for (size_t k = 0; clear && k < b->mesh.vertex_count; k++)
+      clear = vs_v3_dot(vs_v3_sub(b->mesh.vertices[k], f->at[0]), f->normal) >= -slack;
+    for (size_t k = 0; clear && k < a->mesh.vertex_count; k++)
+      clear = vs_v3_dot(vs_v3_sub(a->mesh.vertices[k], f->at[0]), f->normal) <= slack;
     if (clear) return true;
   }
   return false;
 }
 
 bool vs_mesh_gap_separated(const vs_gap_tree *a, const vs_gap_tree *b, double slack) {
-  const vs_bounds *x = &a->boxes[0].bounds, *y = &b->boxes[0].bounds;
-  if (!a->count || !b->count) return true;
+  size_t faces = a->mesh.triangle_count, others = b->mesh.triangle_count;
+  if (!faces || !others) return true;
+  const vs_bounds *x = &a->tree.nodes[0].box, *y = &b->tree.nodes[0].box;
   for (int k = 0; k < 3; k++)
     if (along(x->max, k) <= along(y->min, k) + slack || along(y->max, k) <= along(x->min, k) + slack) return true;
-  return a->count <= FACES_MOST && b->count <= FACES_MOST && (divides(a, b, slack) || divides(b, a, slack));
+  return faces <= FACES_MOST && others <= FACES_MOST && (divides(a, b, slack) || divides(b, a, slack));
 }

@@ -3,6 +3,8 @@
 #define VS_GEOMETRY_MEASURE_MESH_GAP_H
 
 #include "model/mesh.h"
+#include "model/model_error.h"
+#include "model/store/store.h"
 
 /* The triangles of a mesh in a tree of boxes. */
 typedef struct vs_gap_tree vs_gap_tree;
@@ -16,8 +18,9 @@ typedef struct {
   vs_vec3 centre;    /* centroid of the touching area; undefined if `area` is 0 */
 } vs_mesh_gap;
 
-/* Prepares mesh m for the search for gaps, and copies its data. Returns NULL when memory is out. */
-vs_gap_tree *vs_gap_tree_new(const vs_mesh *m);
+/* Prepares mesh m for the search for gaps. Moves its data into the tree, and leaves *m empty. Returns NULL and sets e
+ * on failure. */
+vs_gap_tree *vs_gap_tree_new(vs_mesh *m, vs_store *store, vs_error *e);
 void vs_gap_tree_free(vs_gap_tree *t); /* frees t, which may be NULL */
 
 /* Sets *out to the gap between two meshes that do not intersect each other. Faces at a distance of at most `touching`
