@@ -224,7 +224,7 @@ static void share_mix_fields(vs_share *s, vs_share_key *k, const vs_node *n, con
 static bool share_is_alias(const vs_node *n) {
   if (n->kind == VS_TRANSFORM) return vs_affine_is_translation(&VS_AS(transform, n)->matrix);
   bool set = vs_node_is_set(n);
-  /* The union of a single closed curve is an exception, because it is a region. */
+  /* A set of one child equals the child, except for the union of one closed curve, which is a region. */
   return set && n->child_count == 1 && n->children[0].node->class_ == n->class_;
 }
 

@@ -190,8 +190,8 @@ static bool find_met(const vs_mesh *m, const vs_kernel_options *options, bool *m
 }
 
 /* Repairs m on a grid with `per` steps per unit. Maps coordinates to numbers between 2^23 and 2^24, which in single
- * precision are whole numbers, and repairs m as for a format with such numbers and without vertex numbers. Every edge
- * then still has as many triangles in one direction as in the other. Returns false on failure. */
+ * precision are whole numbers, and repairs m like a mesh for an .stl file. Every edge then still has as many triangles
+ * in one direction as in the other. Returns false on failure. */
 static bool mend(vs_mesh *m, double per, const vs_kernel_options *options, vs_error *e) {
   const double middle = 0x1.8p23;
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };

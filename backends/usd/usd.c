@@ -46,8 +46,8 @@ static void put_name(vs_emitter *e, const char *text) {
   vs_putf(e->out, "%s%u\"", *text ? "_" : "p", ++u->prims);
 }
 
-/* The metadata of a prim. shown: name for programs; template: number of the template that it inherits, or 0; bound:
- * whether it has a material; part: whether it is a part of the model. */
+/* The metadata of a prim. shown: the name that programs display; template: number of the inherited template, or 0;
+ * bound: whether the prim has a material; part: whether it is a part of the model. */
 typedef struct { const char *shown; uint32_t template; bool bound, part; } prim_notes;
 
 static void put_notes(vs_emitter *e, prim_notes notes) {

@@ -55,7 +55,7 @@ typedef struct {
   vs_vec3 middle;              /* centre of the drawing; positions are written relative to it */
   bool inside;                 /* whether a template is being written, in coordinates of its own */
   bool steps;                  /* true if the notation is x3d-steps */
-  bool result;                 /* whether the result of an operation is being written */
+  bool result;                 /* whether the node now written is the result of an operation, not an operand */
   uint32_t geometry_count;
 } packed;
 

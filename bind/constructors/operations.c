@@ -232,8 +232,8 @@ vs_status vs_p_do_resize(vs_args *f, vs_value *out) {
   static const char *const names[] = { "o", "dx", "dy", "dz" };
   vs_bounds b;
   if (vs_node_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);
-  vs_ref whole = f->arg[0].ref; /* the object to be scaled, as the user made it; its bounds are computed from a form
-                                 * without sections and shadows */
+  vs_ref whole = f->arg[0].ref; /* the object to be scaled, as the user made it, before vs_bind_resolve replaces
+                                 * sections and shadows in it by meshes */
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0) || !vs_bind_drawn_bounds(f, 0, &b)) return VS_ERROR;
   f->arg[0].ref = whole;
   if (vs_bounds_is_empty(&b)) return same(f, whole, out); /* the object has no points, such as an intersection of solids

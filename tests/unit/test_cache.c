@@ -481,8 +481,8 @@ static void test_texts_refused(void **state) {
   vs_free(plain);
   size_t done = 0, failed = 0;
   const char *longer = getenv("LONG");
-  long early = longer && *longer ? 1 : 11, late = 97; /* POV-Ray's camera needs meshes, which take hundreds of
-                                                       * allocations. Only a sample of these allocations is refused */
+  long early = longer && *longer ? 1 : 11, late = 97; /* steps between the numbers of refused allocations: the
+                                                       * first 300 take `early`, later ones, mostly of meshes, `late` */
   for (long left = 0; left < 6000 && done < 40; left += left < 300 ? early : late) {
     vs_scheme *s = vs_new(&o);
     assert_non_null(s);

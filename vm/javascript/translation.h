@@ -35,7 +35,7 @@ typedef struct {
 /* The place at which control continues after a statement of the script. */
 typedef enum {
   VS_THEN_NOTHING,    /* after the Scheme expression; the value of the expression is not used */
-  VS_THEN_END,        /* at the end of the function */
+  VS_THEN_END,        /* control leaves the function: the statement is its last */
   VS_THEN_MADE,       /* in the procedure with the name word:number (MADE) */
   VS_THEN_STATEMENTS, /* at the statements from `node` up to `stop`, and after these statements at the place `on` */
   VS_THEN_LOOP,       /* at the next iteration of the loop statement `node`, whose loop number is `number` */
