@@ -578,6 +578,8 @@ VS_API const char *const *vs_pass_list(size_t *count);
 
 /* Returns the names of the looks (styles) of pictures. Sets *count to their number. */
 VS_API const char *const *vs_look_list(size_t *count);
+/* Returns the static name of the unit of length at this index, such as "mm", or NULL at the end of the list. */
+VS_API const char *vs_unit_name(size_t index);
 
 typedef enum { VS_QUALITY_DRAFT, VS_QUALITY_GOOD, VS_QUALITY_FINAL } vs_quality;
 
@@ -614,6 +616,8 @@ typedef struct {
                           * removed parts red */
   bool up_y;             /* whether Y instead of Z points upwards in formats whose upward axis is not fixed, as game
                           * engines expect */
+  const char *units;     /* the unit of lengths in .dxf drawings and in formats of meshes, a name from vs_unit_name;
+                          * NULL: the model's unit */
   bool last;             /* whether no other drawing or output follows, so that the interpreter caches nothing */
   int crop[4];           /* part of a .png or .exr to write: left, top, width, height in pixels; all 0: the whole
                           * picture */

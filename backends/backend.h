@@ -69,6 +69,7 @@ typedef enum {
                               * so that it can be cached for the next output */
   VS_TURNS = 1 << 13,        /* the option --up y rotates the drawing for this format, which prescribes no upward
                               * axis */
+  VS_UNITS = 1 << 15,        /* the option --units converts the lengths of the drawing for this format */
   VS_NAMES = 1 << 14,      /* the format has a name for each part of the drawing (solids/named_parts.h) */
   VS_VERBATIM = 1 << 12      /* the driver emits every node as it is, including empty nodes, and visits the children of
                               * all kinds */

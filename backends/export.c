@@ -251,16 +251,34 @@ static bool export_render_to(vs_emitter *e, vs_sink_fn *sink, void *context) {
 
 const char *vs_export_family(const vs_format *format) { return format->backend->family; }
 
+/* Places each drawn object by `place`. */
+static bool place_drawn(vs_scene *scene, const struct vs_transform *place, vs_error *e) {
+  for (size_t i = 0; i < scene->drawn_count; i++) {
+    vs_node *placed = vs_node_new(scene->store, VS_TRANSFORM, place, &scene->drawn[i], 1);
+    if (placed == NULL) return vs_error_memory(e, NULL);
+    vs_node_release(scene->drawn[i].node);
+    scene->drawn[i].node = placed;
+  }
+  return true;
+}
+
 /* Rotates the drawing from Z upwards to Y upwards: x, y and z become x, z and -y. */
 static bool turn_up(vs_scene *scene, vs_error *e) {
   static const struct vs_transform turn = { .matrix = { { { 1, 0, 0, 0 }, { 0, 0, 1, 0 }, { 0, -1, 0, 0 } } } };
-  for (size_t i = 0; i < scene->drawn_count; i++) {
-    vs_node *turned = vs_node_new(scene->store, VS_TRANSFORM, &turn, &scene->drawn[i], 1);
-    if (turned == NULL) return vs_error_memory(e, NULL);
-    vs_node_release(scene->drawn[i].node);
-    scene->drawn[i].node = turned;
-  }
-  return true;
+  return place_drawn(scene, &turn, e);
+}
+
+double vs_export_units(const vs_scene *scene, const char *units) {
+  return units == NULL ? 1 : vs_scene_metres(scene) / vs_unit_metres(units);
+}
+
+/* Converts the drawn objects, and the tolerance, to another unit of length. */
+static bool convert_units(vs_scene *scene, const char *units, vs_error *e) {
+  double factor = vs_export_units(scene, units);
+  const struct vs_transform scale = { .matrix = { { { factor, 0, 0, 0 }, { 0, factor, 0, 0 }, { 0, 0, factor, 0 } } } };
+  scene->units = units;
+  scene->tolerance *= factor;
+  return factor == 1 || place_drawn(scene, &scale, e);
 }
 
 bool vs_export_sugar(vs_scene *scene, const vs_format *format, const vs_export_options *options, vs_error *e) {
@@ -277,7 +295,8 @@ bool vs_export_sugar(vs_scene *scene, const vs_format *format, const vs_export_o
                           .job = options->job };
   if (vs_backend_has(b, VS_SHOWS_GHOSTS_IN_DRAFTS) && options->quality != VS_RENDER_DRAFT) o.ghosts = VS_MARKS_DROP;
   return vs_scene_sugar(scene, &o, e) &&
-         (!options->up_y || !vs_backend_has(b, VS_TURNS) || turn_up(scene, e));
+         (!options->up_y || !vs_backend_has(b, VS_TURNS) || turn_up(scene, e)) &&
+         (options->units == NULL || !vs_backend_has(b, VS_UNITS) || convert_units(scene, options->units, e));
 }
 
 /* Data of an export: its emitter, and the options, job and error that are used if the caller passes NULL for them. */

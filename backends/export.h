@@ -30,6 +30,8 @@ typedef struct {
   bool keeps_parts;   /* whether the named parts of the model (nodes of kind VS_PART) are kept, also for formats that
                        * have no names for parts */
   bool up_y;          /* whether formats with VS_TURNS get the model with Y upwards instead of Z */
+  const char *units;  /* the unit of lengths in drawings in .dxf and in formats with VS_UNITS, from vs_unit_at; NULL:
+                       * the model's own unit */
   bool strict;        /* whether a warning that a format omits or changes an object is an error */
   bool safe;          /* true if limits are set: no text of the user then reaches a worker program as directives */
   const vs_known_files *inputs; /* input files of the model, which no export replaces; NULL: none */
@@ -56,6 +58,8 @@ const vs_format *vs_export_format_at(size_t index);
 const vs_format *vs_export_format_find(const char *text); /* Returns the format for "pov", ".pov", "a/b.pov" or
                                                            * "povray", or NULL if there is no such format. */
 
+/* Returns the factor from lengths of the model to lengths in `units`, a name from vs_unit_at; 1 if units is NULL. */
+double vs_export_units(const vs_scene *scene, const char *units);
 const char *vs_export_family(const vs_format *format); /* Returns the name that the format has in common with other
                                                         * formats ("povray" for .png), or NULL if it has none. */
 

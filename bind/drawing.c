@@ -372,11 +372,11 @@ vs_status vs_p_ground(vs_args *f, vs_value *out) {
 }
 
 vs_status vs_p_units(vs_args *f, vs_value *out) {
-  static const char *const known[] = { "m", "mm", "cm", "in", "ft" };
+  const char *name;
   (void)out;
-  for (size_t i = 0; i < sizeof known / sizeof *known; i++)
-    if (!strcmp(known[i], f->arg[0].text.at)) {
-      if (!f->bind->handing) f->bind->scene.units = known[i];
+  for (size_t i = 0; (name = vs_unit_at(i)) != NULL; i++)
+    if (!strcmp(name, f->arg[0].text.at)) {
+      if (!f->bind->handing) f->bind->scene.units = name, f->bind->scene.units_set = true;
       return VS_OK;
     }
   return vs_bind_refuse(f, "unit", "one of 'm 'mm 'cm 'in 'ft", f->arg[0].value);

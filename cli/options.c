@@ -218,6 +218,12 @@ static bool take_up(cli_options *o, const option_row *row, const char *text) {
   return o->output.up_y || strcmp(text, "z") == 0 || bad(row, text);
 }
 
+static bool take_units(cli_options *o, const option_row *row, const char *text) {
+  for (size_t i = 0; (o->output.units = vs_unit_name(i)) != NULL; i++)
+    if (strcmp(text, o->output.units) == 0) return true;
+  return bad(row, text);
+}
+
 static bool take_look(cli_options *o, const option_row *row, const char *text) {
   size_t count;
   const char *const *names = vs_look_list(&count);

@@ -1,6 +1,7 @@
 /* Implements drawings (scene.h): sets their defaults, and adds references, views, lamps and notes. */
 #include "model/scene.h"
 
+#include <math.h>
 #include <string.h>
 
 void vs_scene_init(vs_scene *scene, vs_store *store) {
@@ -23,13 +24,21 @@ bool vs_scene_draw(vs_scene *scene, vs_ref ref) {
   return true;
 }
 
-double vs_scene_metres(const vs_scene *scene) {
-  static const struct { const char *name; double metres; } units[] = {
-    { "mm", 0.001 }, { "cm", 0.01 }, { "in", 0.0254 }, { "ft", 0.3048 } };
-  for (size_t i = 0; i < sizeof units / sizeof *units; i++)
-    if (scene->units != NULL && strcmp(scene->units, units[i].name) == 0) return units[i].metres;
-  return 1;
+/* The units of length, and the length of each in metres. */
+static const char *const unit_names[] = { "m", "mm", "cm", "in", "ft" };
+static const double unit_metres[] = { 1, 0.001, 0.01, 0.0254, 0.3048 };
+
+const char *vs_unit_at(size_t index) {
+  return index < sizeof unit_names / sizeof *unit_names ? unit_names[index] : NULL;
 }
+
+double vs_unit_metres(const char *unit) {
+  for (size_t i = 0; i < sizeof unit_names / sizeof *unit_names; i++)
+    if (strcmp(unit, unit_names[i]) == 0) return unit_metres[i];
+  return NAN;
+}
+
+double vs_scene_metres(const vs_scene *scene) { return scene->units == NULL ? 1 : vs_unit_metres(scene->units); }
 
 static void free_cells(vs_scene *scene, vs_scene_table *t) {
   vs_store_realloc(scene->store, t->cells, t->rows * t->columns * sizeof *t->cells, 0);

@@ -151,6 +151,7 @@ typedef struct {
   double ground_z;
   const vs_material *ground_material; /* material of the ground; NULL if the program has set none */
   const char *units;         /* the model's unit: "m", "mm", "cm", "in" or "ft" */
+  bool units_set;            /* whether the program has set the unit */
   double tolerance;          /* greatest distance of facets from curves, in model units; 0: geometry/tessellate.h
                               * computes it from the size of the object */
   int segments;              /* number of facets of a full turn, set by --segments; 0: the tolerance determines the
@@ -162,6 +163,10 @@ void vs_scene_init(vs_scene *scene, vs_store *store); /* Sets a scene to an empt
 bool vs_scene_draw(vs_scene *scene, vs_ref ref);      /* Adds ref to the drawn references, and retains its node. Returns
                                                        * false when memory is out. */
 double vs_scene_metres(const vs_scene *scene);        /* Returns the length of a model unit in metres. */
+double vs_unit_metres(const char *unit);              /* Returns the length of a unit in metres; NAN if there is none
+                                                       * with this name. */
+/* Returns the static name of the unit of length at this index, or NULL at the end of the table. */
+const char *vs_unit_at(size_t index);
 void vs_scene_free(vs_scene *scene);
 /* Adds a view, or replaces the view with the same name. The store interns the view's texts. Returns false when memory
  * is out. */

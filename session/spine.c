@@ -136,6 +136,7 @@ static void set_options(writing *j) {
   j->job.limits.worker_seconds = limits->limit_worker;
   e->strict = o->strict;
   e->up_y = o->up_y;
+  e->units = o->units;
   e->keeps_parts = o->part != NULL;
   if (limits->limit_memory)
     j->job.limits.mesh_bytes = j->session->bytes < limits->limit_memory ? limits->limit_memory - j->session->bytes : 1;

@@ -625,6 +625,8 @@ bool vs_format_of(const vs_scheme *vm, const char *text, vs_format_info *out) {
 
 /* ---- writing outputs ---- */
 
+const char *vs_unit_name(size_t index) { return vs_unit_at(index); }
+
 const char *const *vs_look_list(size_t *count) {
   static const char *const names[] = {
 #define STYLE(upper, name) name,

@@ -14,7 +14,7 @@
 typedef struct {
   vs_writer *w;
   const vs_sheet *s;
-  double mm;
+  double mm; /* millimetres of paper for a unit of the file's lengths */
   vs_sheet_point shift;
   unsigned handle;
   const vs_scene *scene; /* the drawn scene, which contains the pens of the program's layers */
@@ -306,7 +306,7 @@ static void header(vs_emitter *e, const writing *out) {
   code(w, 9, "$DWGCODEPAGE");
   code(w, 3, "ANSI_1252");
   code(w, 9, "$INSUNITS");
-  code_int(w, 70, vs_dxf_unit(e->scene->units));
+  code_int(w, 70, vs_dxf_unit(e->options->units != NULL ? e->options->units : e->scene->units));
   code(w, 9, "$LWDISPLAY");
   code_int(w, 290, 1);
   code(w, 9, "$HANDSEED");
@@ -317,8 +317,9 @@ static void header(vs_emitter *e, const writing *out) {
 bool vs_sheet_write_dxf(vs_emitter *e, const vs_sheet *s) {
   vs_writer *w = e->out;
   const vs_flat_view *first = &s->views[0];
-  writing out = { w, s, first->mm, { first->low.x * first->mm - first->at.x,
-      first->low.y * first->mm - first->at.y }, FIRST_HANDLE, e->scene };
+  writing out = { .w = w, .s = s, .handle = FIRST_HANDLE, .scene = e->scene,
+    .mm = first->mm / vs_export_units(e->scene, e->options->units),
+    .shift = { first->low.x * first->mm - first->at.x, first->low.y * first->mm - first->at.y } };
   header(e, &out);
   tables(&out);
   code(w, 0, "SECTION");

@@ -404,5 +404,6 @@ static bool space_end(vs_emitter *e) {
 }
 
 const vs_backend vs_backend_dxf_3d = { .begin = space_begin, .end = space_end, .close = space_close,
-                                       .define = space_define, .use = space_use, .traits = VS_TURNS | VS_NAMES,
+                                       .define = space_define, .use = space_use,
+                                       .traits = VS_TURNS | VS_UNITS | VS_NAMES,
                                        VS_EMIT_SHAPES(space_leaf, space_line, space_through, space_boolean) };

@@ -34,7 +34,7 @@ size_t vs_loose_pieces(const vs_loose *l);    /* returns the number of segments 
 #define VS_LOOSE_SHAPES(more)                                                                                          \
   .traits = VS_LOOSE | (more), .close = vs_loose_close,                                                                \
   VS_EMIT_SHAPES(vs_loose_leaf, vs_loose_line, vs_loose_through, vs_loose_boolean)
-#define VS_LOOSE_FACES(curves) .traits = VS_LOOSE | VS_TURNS, .close = vs_loose_close, \
+#define VS_LOOSE_FACES(curves) .traits = VS_LOOSE | VS_TURNS | VS_UNITS, .close = vs_loose_close, \
                                .omit = { [VS_CURVE] = curves }, \
                                VS_EMIT_SHAPES(vs_loose_leaf, NULL, vs_loose_through, vs_loose_boolean)
 

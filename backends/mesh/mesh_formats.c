@@ -17,7 +17,7 @@ static bool mesh_begin(vs_emitter *e) { return !e->out->failed; }
 static bool mesh_end(vs_emitter *e) { return !e->out->failed; }
 
 #define MESH_OMIT(format)                                                                                              \
-  .traits = VS_TURNS, .omit = { [VS_CURVE] = format " holds solids: curves are omitted", \
+  .traits = VS_TURNS | VS_UNITS, .omit = { [VS_CURVE] = format " holds solids: curves are omitted", \
             [VS_REGION_CLASS] = format " holds solids: flat regions are omitted", \
             [VS_SURFACE] = format " holds solids: open surfaces are omitted" }
 
@@ -100,6 +100,8 @@ static bool stl_solid(vs_emitter *e, const vs_solid *solid) {
   const vs_mesh *m = &solid->mesh;
   unsigned char head[84] = "binary STL by VisualScheme, lengths in ";
   strncat((char *)head, e->scene->units != NULL ? e->scene->units : "m", 8);
+  if (e->scene->units_set && e->options->units == NULL && strcmp(e->scene->units, "mm") != 0)
+    vs_job_warn(e->job, NULL, "STL files have no unit, and most programs read millimetres: --units mm converts");
   size_t count;
   if (!vs_count_spans(m->triangle_count, stl_stays, m, &count)) return vs_emit_no_memory(e);
   if (count > UINT32_MAX)
@@ -322,7 +324,7 @@ static bool ply_solid(vs_emitter *e, const vs_solid *solid) {
 }
 
 const vs_backend vs_backend_ply = {
-  .begin = vs_loose_begin, .end = mesh_end, .solid = ply_solid, VS_LOOSE_SHAPES(VS_TURNS)
+  .begin = vs_loose_begin, .end = mesh_end, .solid = ply_solid, VS_LOOSE_SHAPES(VS_TURNS | VS_UNITS)
 };
 
 /* ---- OBJ ---- */
@@ -551,5 +553,5 @@ static bool obj_beside(vs_emitter *e) {
 
 const vs_backend vs_backend_obj = {
   .begin = vs_loose_begin, .end = mesh_end, .solid = obj_solid, .numbers = VS_NUMBERS_DIGITS, .beside = obj_beside,
-  VS_LOOSE_SHAPES(VS_TURNS | VS_NAMES)
+  VS_LOOSE_SHAPES(VS_TURNS | VS_UNITS | VS_NAMES)
 };

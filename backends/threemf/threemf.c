@@ -294,7 +294,7 @@ const vs_backend vs_backend_threemf = { .begin = threemf_nothing,
                                         .end = threemf_nothing,
                                         .copies = threemf_copies,
                                         .numbers = VS_NUMBERS_DIGITS,
-                                        .traits = VS_NAMES,
+                                        .traits = VS_UNITS | VS_NAMES,
                                         .omit = { [VS_CURVE] = "3MF holds solids: curves are omitted",
                                                   [VS_REGION_CLASS] = "3MF holds solids: flat regions are omitted",
                                                   [VS_SURFACE] = "3MF holds solids: open surfaces are omitted" } };

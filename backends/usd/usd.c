@@ -420,5 +420,5 @@ static void usd_close(vs_emitter *e) {
 }
 
 const vs_backend vs_backend_usda = { .begin = usd_begin, .end = usd_end, .close = usd_close,
-                                     .define = usd_define, .use = usd_use, .traits = VS_TURNS | VS_NAMES,
+                                     .define = usd_define, .use = usd_use, .traits = VS_TURNS | VS_UNITS | VS_NAMES,
                                      VS_EMIT_SHAPES(usd_leaf, usd_line, usd_through, usd_boolean) };

@@ -85,6 +85,9 @@ warns of omitted shapes, but not of colours and names that a format cannot hold.
 - [Drawings](drawings.md) (`.svg .pdf .dxf`) show solids, surfaces and curves by their lines.
 - `.tree` files contain all kinds.
 - `--up y` turns `.obj`, `.ply`, `.stl`, `.off`, `.usda` and `--format dxf-3d`, so that Y points upwards.
+- `--units mm` converts lengths in `.stl`, `.obj`, `.ply`, `.off`, `.3mf`, `.usda`, `.dxf` and `--format dxf-3d`:
+  a model in metres becomes a file in millimetres. STL files have no unit, and most programs for printing read
+  millimetres.
 
 A warning names the place of the first omitted shape, and `vs` writes all other objects. With `--strict` an omission is
 an error. In pictures (`.png .exr`, and `.pov`) curves are at least two pixels wide. Curves, flat regions, text and open
