@@ -485,7 +485,7 @@ static vs_outcome run_batch(cli_session *c) {
     if (!set_parameters(c)) return VS_OUTCOME_USAGE;
     vs_sun_span span;
     if (o->command == CLI_COMMAND_sunstudy && !cli_sun_options(o, &span)) return VS_OUTCOME_USAGE;
-    if (o->command == CLI_COMMAND_profile) vs_profile(c->scheme, true);
+    if (o->command == CLI_COMMAND_profile) cli_profile_begin(c);
     outcome = o->command == CLI_COMMAND_diff ? cli_difference(c)
         : o->command == CLI_COMMAND_fit ? cli_fit(c)
         : o->command == CLI_COMMAND_test ? cli_test_run(c, run_file) : run_sources(c, false);
@@ -493,7 +493,7 @@ static vs_outcome run_batch(cli_session *c) {
     if (o->command == CLI_COMMAND_sweep && outcome == VS_OUTCOME_DONE) cli_sweep_tell(o->results, c->scheme);
     if (o->command == CLI_COMMAND_profile && outcome != VS_OUTCOME_USAGE) { /* prints the profile of a run that was
                                                                              * ended early, too */
-      vs_outcome told = cli_profile(c);
+      vs_outcome told = cli_profile(c, outcome == VS_OUTCOME_DONE);
       if (outcome == VS_OUTCOME_DONE) outcome = told;
     }
     if (outcome == VS_OUTCOME_DONE && o->command != CLI_COMMAND_fit && o->command != CLI_COMMAND_profile)

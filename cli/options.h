@@ -106,6 +106,7 @@ typedef struct {
   uint64_t seed;                       /* --seed; 0 if not given */
   long film;                           /* vs render: frames per second of the film; 0: no film */
   bool interactive, check, quiet, stats, stats_json, parameters, to_stdout, untrusted, verbose, all_views, json, xml;
+  bool coverage; /* vs profile: whether to count how often each form runs */
   bool placed, near, any_pose; /* vs fit: whether the options --placed, --near and --any-pose are given */
 } cli_options;
 

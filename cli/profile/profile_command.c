@@ -1,4 +1,4 @@
-/* Implements `vs profile FILE`: the time and the memory of each line of a program. */
+/* Implements `vs profile FILE`: the time, the memory and the count of each line of a program. */
 #include "cli/profile/profile_command.h"
 
 #include <errno.h>
@@ -6,6 +6,7 @@
 
 #include "cli/batch/whole_file.h"
 #include "cli/json.h"
+#include "cli/profile/coverage_report.h"
 #include "cli/profile/flame_graph.h"
 
 enum { MOST_LINES = 30, TEXT = 60 };
@@ -17,7 +18,7 @@ static void print_table(const profile_tree *t) {
     const profile_line *l = &t->lines[i];
     char text[TEXT + 1], place[80];
     if (l->own < LEAST_SHARE * t->seconds && i) break;
-    profile_line_text(l->file, l->line, text, sizeof text);
+    profile_line_text(l->file, l->line, 1, text, sizeof text);
     snprintf(place, sizeof place, "%.60s:%u", l->file, (unsigned)l->line);
     printf("%5.1f %% %4.0f %% %6.1f MB  %-20s  %s\n", 100 * l->own / t->seconds, 100 * l->whole / t->seconds,
            l->bytes / 1048576, place, text);
@@ -37,7 +38,7 @@ static void print_measure(const char *key, double value) {
   cli_json_number(stdout, value);
 }
 
-static void print_json(const profile_tree *t) {
+static void print_json(const profile_tree *t, const coverage *forms) {
   printf("{\"schema\":1,\"samples\":%zu", t->looks);
   print_measure("seconds", t->seconds);
   print_measure("bytes", t->bytes);
@@ -62,7 +63,12 @@ static void print_json(const profile_tree *t) {
     print_measure("total", t->whole[i]);
     fputc('}', stdout);
   }
-  puts("]}");
+  fputc(']', stdout);
+  if (forms) {
+    fputs(",\"forms\":", stdout);
+    coverage_print_json(forms, stdout);
+  }
+  puts("}");
 }
 
 /* Writes the file, which appears only when it is complete. */
@@ -76,12 +82,19 @@ static vs_outcome write_flames(const profile_tree *t, const cli_session *c) {
   return VS_OUTCOME_USAGE;
 }
 
-vs_outcome cli_profile(cli_session *c) {
+void cli_profile_begin(cli_session *c) {
+  vs_profile(c->scheme, true);
+  if (c->options->coverage) vs_coverage(c->scheme, true);
+}
+
+vs_outcome cli_profile(cli_session *c, bool whole) {
   const cli_options *o = c->options;
   profile_tree t;
+  coverage forms;
   vs_profile(c->scheme, false);
   vs_outcome outcome = VS_OUTCOME_DONE;
-  if (!profile_tree_read(&t, c->scheme)) {
+  bool read = coverage_read(&forms, c->scheme);
+  if (!profile_tree_read(&t, c->scheme) || !read) {
     fputs("vs: out of memory\n", stderr);
     outcome = VS_OUTCOME_MACHINE;
   } else if (o->target_count && vs_is_input(c->scheme, o->targets[0].path)) {
@@ -89,10 +102,13 @@ vs_outcome cli_profile(cli_session *c) {
     outcome = VS_OUTCOME_USAGE;
   } else {
     if (o->target_count) outcome = write_flames(&t, c);
-    if (o->json) print_json(&t);
+    if (o->json) print_json(&t, o->coverage ? &forms : NULL);
+    else if (o->to_stdout) {}
+    else if (o->coverage) coverage_print(&forms, whole, stdout);
     else if (!t.looks) puts("no sample fell into the program: its run is too short");
-    else if (!o->to_stdout) print_table(&t);
+    else print_table(&t);
   }
   profile_tree_free(&t);
+  coverage_free(&forms);
   return outcome;
 }

@@ -4,7 +4,10 @@
 
 #include "cli/command.h"
 
-/* Prints the samples of the run that has ended, as a table or as JSON, and writes the flame graph that -o names. */
-vs_outcome cli_profile(cli_session *c);
+/* Starts the profiler, and with --coverage the counting of forms. */
+void cli_profile_begin(cli_session *c);
+/* Prints the samples or the counts of the run that has ended, as a table or as JSON, and writes the flame graph that -o
+ * names. whole: whether the run went to the end of the program. */
+vs_outcome cli_profile(cli_session *c, bool whole);
 
 #endif

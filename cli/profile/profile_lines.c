@@ -82,9 +82,16 @@ void profile_tree_free(profile_tree *t) {
   *t = (profile_tree){ 0 };
 }
 
-void profile_line_text(const char *file, uint32_t number, char *room, size_t size) {
+/* Returns the bytes before the column, which counts characters from 1, or those of the blanks at the start of the text if
+ * these are more. */
+static size_t before(const char *text, uint32_t column) {
+  size_t blanks = strspn(text, " \t"), n = 0;
+  for (uint32_t at = 1; text[n] && (at < column || (text[n] & 0xC0) == 0x80); n++) at += (text[n + 1] & 0xC0) != 0x80;
+  return n > blanks ? n : blanks;
+}
+
+void profile_line_text(const char *file, uint32_t number, uint32_t column, char *room, size_t size) {
   char part[4096];
-  size_t n = 0;
   bool begins = true; /* whether the next part begins a line */
   FILE *from = number ? fopen(file, "rb") : NULL;
   *room = 0;
@@ -92,8 +99,7 @@ void profile_line_text(const char *file, uint32_t number, char *room, size_t siz
     line += begins;
     begins = strchr(part, '\n') != NULL;
     if (line != number) continue;
-    n = strspn(part, " \t");
-    snprintf(room, size, "%s", part + n);
+    snprintf(room, size, "%s", part + before(part, column));
     room[strcspn(room, "\r\n")] = 0;
     break;
   }

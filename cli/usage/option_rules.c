@@ -231,6 +231,7 @@ static bool outputs_fit(cli_options *o, unsigned takes) {
             o->targets[i].path);
     return false;
   }
+  if (o->coverage && o->command != CLI_COMMAND_profile) return refuse("vs: --coverage is for vs profile FILE\n");
   bool flames = o->target_count == 1 && o->targets[0].format && !strcmp(o->targets[0].format, "svg");
   if (o->command == CLI_COMMAND_profile && o->target_count && !flames)
     return refuse("vs profile: -o writes the tree of calls: one file, which ends in .svg\n");

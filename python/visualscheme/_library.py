@@ -166,7 +166,7 @@ LEFT_OUT = {
     "a prompt, an editor or a debugger calls these, and Python has its own": (
         "vs_exit_requested vs_read_check vs_complete vs_name_get vs_name_advice vs_place_advice vs_disassemble vs_stop_get "
         "vs_stop_depth vs_resume vs_stop_drop vs_call_get vs_profile vs_profile_get "
-        "vs_profile_call vs_language_of"),
+        "vs_profile_call vs_coverage vs_coverage_get vs_language_of"),
     "a Python object is kept in a table of the host's, under a number that the program has": (
         "vs_handle_host vs_handle_get_host"),
     "their likes with a length take zero bytes, too": "vs_handle_text vs_handle_get_text",

@@ -1,5 +1,5 @@
 # Tests `vs profile`: profile.py VS FOLDER ONLY. Prints `ok NAME`, or `not ok NAME` and its reasons.
-import json, os, pathlib, re, subprocess, sys, xml.etree.ElementTree as tree
+import json, os, pathlib, random, re, subprocess, sys, xml.etree.ElementTree as tree
 
 vs, work, only = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2]).resolve(), sys.argv[3]
 root = pathlib.Path.cwd()
@@ -91,7 +91,58 @@ def wrong():
     if done.returncode or "too short" not in done.stdout or tree.parse(work / "empty.svg") is None: reasons.append(f"an empty program: {done}")
     result("desk/profile:wrong", reasons)
 
-for test in (shares, sums, wrong):
+# A random program counts its own forms: (at K body) adds 1 to counter K. Each count of --coverage equals the counter.
+def program(r, depth, forms):
+    def form(d):
+        kind = r.choice(["if", "cond", "when", "and", "or", "let", "loop", "call", "leaf", "leaf"]) if d else "leaf"
+        k = len(forms)
+        forms.append(None)
+        forms[k] = {"leaf": lambda: "(* i 2)", "if": lambda: f"(if {test(d)} {form(d - 1)} {form(d - 1)})", "cond": lambda: f"(cond [{test(d)} {form(d - 1)}] [{test(d)} {form(d - 1)}] [else {form(d - 1)}])",
+            "when": lambda: f"(when {test(d)} {form(d - 1)} {form(d - 1)})", "and": lambda: f"(and {test(d)} {form(d - 1)})", "or": lambda: f"(or {test(d)} {form(d - 1)})",
+            "let": lambda: f"(let ([i (+ i {r.randrange(3)})]) {form(d - 1)})", "loop": lambda: f"(do ([j 0 (+ j 1)]) ((= j {r.randrange(4)})) {form(d - 1)})", "call": lambda: f"((lambda (i #:k [k any? 1]) {form(d - 1)}) (- i 1))"}[kind]()
+        return f"\n(at {k} {forms[k]}\n)"
+    test = lambda d: r.choice(["(even? i)", f"(> i {r.randrange(9)})", f"(< 2 i {r.randrange(9)})"]) if r.random() < 0.6 or not d else f"(not {form(d - 1)})"
+    return "".join(f"(define (f{n} i) {form(depth)})\n(for-each f{n} (iota {r.randrange(6)}))\n" for n in range(3))
+
+def coverage():
+    reasons, r = [], random.Random(59)
+    for step in range(200 if os.environ.get("LONG") else 12):
+        forms = []
+        body = program(r, 5, forms)
+        (work / "lib").mkdir(exist_ok=True)
+        (work / "lib/at.sld").write_text("(define-library (at)\n  (export at counters)\n  (import (visualscheme))\n  (begin\n    (define counters (make-vector 10000 0))\n    (define-syntax at (syntax-rules () [(_ k body) (begin (vector-set! counters k (+ 1 (vector-ref counters k))) body)]))))\n")
+        text = "(import (visualscheme) (at))\n" + body + f"(display (list \"counters\" (take (vector->list counters) {len(forms)})))\n"
+        (work / "counts.vs").write_text(text)
+        done = run("profile", "--coverage", "--json", "-L", work / "lib", "counts.vs")
+        plain = run("profile", "--json", "-L", work / "lib", "counts.vs")
+        said = re.search(r"\(counters \(([\d ]*)\)\)", done.stdout + done.stderr)
+        if done.returncode or not said: reasons.append(f"step {step}: {done}"); continue
+        if said[0] not in plain.stdout + plain.stderr: reasons.append(f"step {step}: the program has another result with --coverage")
+        counters = [int(n) for n in said[1].split()]
+        p = json.loads(done.stdout[done.stdout.index('{"schema"'):])
+        counted = {f["line"]: f["count"] for f in sorted(p["forms"], key=lambda f: -f["column"]) if f["file"] == "counts.vs"}
+        for number, line in enumerate(text.splitlines(), 1):
+            k = re.match(r"\(at (\d+)", line)
+            if k and counted.get(number) != counters[int(k[1])]: reasons.append(f"step {step}: line {number} ran {counters[int(k[1])]} times, not {counted.get(number)}: {line}")
+        told = run("profile", "--coverage", "-L", work / "lib", "counts.vs").stdout
+        for number, line in enumerate(text.splitlines(), 1):
+            shown = re.search(rf"^ *(\d+|never)?( \*)? +{number}  {re.escape(line)}$", told, re.M)
+            if not shown: reasons.append(f"step {step}: line {number} is not in the table: {line}")
+            elif re.match(r"\(at", line) and (shown[1] == "never") != (counted[number] == 0): reasons.append(f"step {step}: the table has {shown[0]!r}")
+    # Each example and each test of the language says the same with and without --coverage.
+    for path in sorted([*root.glob("examples/*.vs"), *root.glob("tests/lang/*.vs")])[::1 if os.environ.get("LONG") else 40]:
+        a, b = (run("profile", *words, path.name, "-q", "--limit-time", 60, folder=path.parent) for words in ((), ("--coverage",)))
+        if a.returncode != b.returncode or (a.returncode != 4 and a.stderr != b.stderr): reasons.append(f"{path.name}: {a.returncode} {a.stderr[-300:]}, with --coverage {b.returncode} {b.stderr[-300:]}")
+        if b.returncode == 0 and not re.search(r"^.*: \d+ of \d+ forms? ran|no form that could run", b.stdout, re.M): reasons.append(f"{path.name}: {b.stdout[-300:]}")
+    (work / "half.vs").write_text("(define (f i) (if (< i 3)\n  (f (+ i 1))\n  (car i)))\n(f 0)\n(f 1)\n")
+    done = run("profile", "--coverage", "half.vs")
+    if done.returncode != 1 or "ended early" not in done.stdout or "half.vs: 7 of 7 forms ran" not in done.stdout: reasons.append(f"a run that ends early: {done.stdout}")
+    for words in (("--coverage", "half.vs"), ("check", "--coverage", "half.vs"), ("profile", "--coverage")):
+        done = run(*words)
+        if done.returncode != 2 or len(done.stderr.strip().split("\n")) != 1: reasons.append(f"{words}: {done}")
+    result("desk/profile:coverage", reasons)
+
+for test in (shares, sums, coverage, wrong):
     if only and only not in "desk/profile:" + test.__name__: continue
     try: test()
     except Exception as e: result("desk/profile:" + test.__name__, [repr(e)])

@@ -10,6 +10,7 @@
 #include "vm/compiler/compile.h"
 
 #include "vm/compiler/analyse.h"
+#include "vm/compiler/coverage.h"
 #include "vm/compiler/each.h"
 #include "vm/compiler/emit.h"
 #include "vm/compiler/inline.h"
@@ -21,7 +22,8 @@
 #define TAIL (UINT32_MAX - 2)
 
 struct job { struct job *next; vs_core_node *lambda; };
-typedef struct compiler { vs_emit e; struct job *jobs; } compiler;
+/* covered: the node that gen or test counted last, which the other of the two does not count again. */
+typedef struct compiler { vs_emit e; struct job *jobs; const vs_core_node *covered; } compiler;
 
 static bool gen(compiler *c, vs_core_node *n, uint32_t to);
 static bool test(compiler *c, vs_core_node *n, bool sense, vs_jumps *list);
@@ -46,6 +48,17 @@ static bool finish(compiler *c, uint32_t from, uint32_t to) {
 static bool landing(compiler *c, uint32_t to, uint32_t *reg) {
   if (is_value(to)) { *reg = to; return true; }
   return vs_emit_register(&c->e, reg);
+}
+
+/* Counts the runs of the form n, if the program's forms are counted. Constants and variables are no forms: their places
+ * are those of the forms around them. */
+static bool cover(compiler *c, const vs_core_node *n) {
+  vs_emit *e = &c->e;
+  uint32_t index;
+  if (!vs_covers(e->ast->vm, n->pos) || c->covered == n || n->kind == VS_AST_CONST || n->kind == VS_AST_LOCAL ||
+      n->kind == VS_AST_GLOBAL || n->kind == VS_AST_SEQ) return true;
+  c->covered = n;
+  return vs_cover_form(e->ast->vm, n->pos, &index) && vs_emit_op1(e, VS_O_COVER, 0, 0, 0, index);
 }
 
 /* ---- constants and variables ---- */
@@ -336,6 +349,7 @@ static bool test(compiler *c, vs_core_node *n, bool sense, vs_jumps *list) {
   vs_emit *e = &c->e;
   uint32_t keep = e->next, r[2], bits;
   const vs_native *native;
+  if (!cover(c, n)) return false;
   switch (n->kind) {
     case VS_AST_CONST:
       return (pool(c, n->as.constant) != VS_FALSE) != sense || vs_emit_branch(e, VS_O_JUMP, 0, 0, 0, list);
@@ -776,7 +790,7 @@ static bool gen_if(compiler *c, vs_core_node *n, uint32_t to, bool fresh) {
 
 static bool gen(compiler *c, vs_core_node *n, uint32_t to) {
   vs_emit *e = &c->e;
-  if (!vs_poll(e->ast->vm, 16)) return false;
+  if (!vs_poll(e->ast->vm, 16) || !cover(c, n)) return false;
   bool fresh = e->fresh == to;
   uint32_t keep = e->next, r;
   e->fresh = VS_NO_REGISTER;
@@ -900,6 +914,7 @@ static bool compile_procedure(compiler *c, vs_core_node *l) {
   vs_value code = ast->pool[((vs_lambda_info *)l->as.lambda.extra)->code - 1];
   VS_ASSERT(l->kind == VS_AST_LAMBDA);
   c->e = (vs_emit){.ast = ast, .lambda = l, .fresh = VS_NO_REGISTER};
+  c->covered = NULL;
   vs_gc_store(ast->vm, vs_as_code(code), &vs_as_code(code)->doc, doc_of(c, l->as.lambda.body));
   bool ok = set_parameters(c, l, code) && gen_parameters(c, l) && gen(c, l->as.lambda.body, TAIL) &&
             vs_emit_finish(&c->e, code);

@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "vm/compiler/coverage.h"
 #include "vm/machine/activation.h"
 #include "vm/values/gc.h"
 #include "vm/machine/image.h"
@@ -77,6 +78,7 @@ static void close_contents(vs_scheme *vm) {
   vs_gc_close(vm);
   if (vm->stack) vs_mem(vm, vm->stack, (size_t)((char *)vm->stack_end - (char *)vm->stack), 0);
   if (vm->call_args) vs_mem(vm, vm->call_args, vm->call_room * sizeof *vm->call_args, 0);
+  vs_cover_close(vm);
   if (vm->flat) vs_mem(vm, vm->flat, sizeof *vm->flat, 0);
 }
 

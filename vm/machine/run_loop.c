@@ -17,6 +17,7 @@
 #include "vm/machine/arguments.h"
 #include "vm/compiler/each.h"
 #include "vm/compiler/code.h"
+#include "vm/compiler/coverage.h"
 #include "vm/compiler/inline_arithmetic.h"
 #include "vm/machine/activation.h"
 #include "vm/machine/poll.h"
@@ -235,6 +236,7 @@ look:
     pc += (int32_t)*pc + 1;
     if (--vm->fuel <= 0) { SAVE; if (!vs_poll_limits(vm)) goto fail; }
     NEXT;
+  OP(COVER): vm->coverage->forms[*pc++].count++; NEXT;
   OP(JTRUE): if (RA != VS_FALSE) pc += (int32_t)*pc + 1; else pc++; NEXT;
   OP(JFALSE): if (RA == VS_FALSE) pc += (int32_t)*pc + 1; else pc++; NEXT;
   OP(JGIVEN): if (RA != VS_ABSENT) pc += (int32_t)*pc + 1; else pc++; NEXT;

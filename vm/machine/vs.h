@@ -105,6 +105,7 @@ struct vs_gc_block;
 struct vs_gc_large;
 struct vs_roots;
 struct vs_ast;
+struct vs_cover_table;
 
 struct vs_scheme {
   /* The nursery; objects are allocated from `free` to `end`. */
@@ -182,6 +183,7 @@ struct vs_scheme {
 
   void *host;                      /* pointer for the program that embeds the interpreter */
   vs_config config;
+  struct vs_cover_table *coverage; /* how often each form of the program has run, or NULL if nothing counts it */
 };
 
 /* Informs the host, by vm->config.phase, that the phase begins. Returns the previous phase. */
