@@ -94,6 +94,18 @@ if command -v emacs > /dev/null; then
   else echo "skip editors/emacs:eglot: no elpa-eglot"; fi
 else echo "skip editors/emacs: not installed"; fi
 
+# An hour of editing: the server's text equals the editor's all along (tests/editors/hour.py).
+steps=150
+[ -z "${LONG:-}" ] || steps=2000
+hour() { # EDITOR NEEDED: NEEDED says what lacks, or is empty
+  if [ "$2" ]; then echo "skip editors/$1:hour: $2"; return; fi
+  limited 6000 env PYTHONDONTWRITEBYTECODE=1 python3 tests/editors/hour.py "$BUILD/vs" "$work/hour-$1" "$1" "$steps" || echo "not ok editors/$1:hour: ended with $?"
+}
+if command -v python3 > /dev/null; then
+  hour emacs "$(command -v emacs > /dev/null && emacs --batch -q --eval "(require 'eglot)" > /dev/null 2>&1 || echo no eglot)"
+  hour vim "$(command -v vim > /dev/null && vim --version | grep -q '+eval' && [ -d /usr/share/vim-ale ] || echo no vim-ale)"
+else echo "skip editors/hour: no python3"; fi
+
 # Kate's files are well-formed, and its language server is that of the colours' name.
 if command -v xmllint > /dev/null && command -v python3 > /dev/null; then
   xmllint --noout --nonet editors/kate/visualscheme.xml > "$work/said" 2>&1

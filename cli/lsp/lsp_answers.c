@@ -376,3 +376,9 @@ void lsp_formatting(lsp_server *s, cli_data parameters) {
   fputc(']', s->to);
   free(text);
 }
+
+void lsp_text(lsp_server *s, cli_data parameters) {
+  const lsp_document *d = lsp_find(s, parameters);
+  if (d) know_json_text(s->to, d->text, d->length);
+  else fputs("null", s->to);
+}

@@ -1,0 +1,100 @@
+;; Owns an hour of editing with eglot: (hour) runs each line of the file `steps', and then waits until its text was compared
+;; with the server's.
+(require 'eglot)
+(require 'flymake)
+(require 'imenu)
+(require 'seq)
+
+(defvar hour-done 0)
+(defvar hour-folder default-directory)
+
+(defun hour-wait (test)
+  (let ((end (+ (float-time) 60)))
+    (while (and (not (funcall test)) (< (float-time) end)) (accept-process-output nil 0.002))
+    (unless (funcall test) (error "hour: waited too long at step %d" hour-done))))
+
+(defun hour-place (at) (+ (point-min) (floor (* at (- (point-max) (point-min))))))
+
+(defun hour-go (word)
+  "Go to a place in WORD, or return nil."
+  (goto-char (point-min))
+  (when (search-forward word nil t) (backward-char 2) t))
+
+(defun hour-ask (method &rest more)
+  (condition-case nil
+      (jsonrpc-request (eglot-current-server) method (append (eglot--TextDocumentPositionParams) more))
+    (jsonrpc-error nil)))
+
+(defun hour-complete (prefix)
+  (goto-char (point-max))
+  (insert "(" prefix)
+  (pcase (eglot-completion-at-point)
+    (`(,from ,to ,table . ,more)
+     (let* ((found (all-completions prefix table)) (chosen (car found)))
+       (when chosen
+         (delete-region from to)
+         (goto-char from)
+         (insert chosen)
+         (when-let ((exit (plist-get more :exit-function))) (funcall exit chosen 'finished))))))
+  (insert ")\n"))
+
+(defun hour-act ()
+  (let ((actions (append (condition-case nil (eglot-code-actions (point-min) (point-max)) (error nil)) nil)))
+    (when-let ((first (car actions))) (eglot--apply-workspace-edit (plist-get first :edit)))))
+
+(defun hour-undo (times)
+  (dotimes (_ times)
+    (let ((last-command 'ignore) (inhibit-message t)) (condition-case nil (undo-only 1) (user-error nil)))
+    (undo-boundary)))
+
+(defun hour-step (step)
+  (pcase step
+    (`("type" ,at ,text) (goto-char (hour-place at)) (insert text))
+    (`("form" ,at ,text) (goto-char (hour-place at)) (unless (re-search-forward "^(draw" nil t) (goto-char (point-max))) (beginning-of-line) (insert text))
+    (`("all" ,text) (delete-region (point-min) (point-max)) (insert text))
+    (`("delete" ,at ,n) (let ((from (hour-place at))) (delete-region from (min (point-max) (+ from n)))))
+    (`("line" ,at) (goto-char (hour-place at)) (beginning-of-line) (kill-line) (forward-line 1) (yank))
+    (`("replace" ,old ,new) (goto-char (point-min)) (while (search-forward old nil t) (replace-match new t t)))
+    (`("undo" ,n) (hour-undo n))
+    (`("complete" ,prefix) (hour-complete prefix))
+    (`("hover" ,word) (when (hour-go word) (hour-ask :textDocument/hover)))
+    (`("definition" ,word) (when (hour-go word) (hour-ask :textDocument/definition)))
+    (`("references" ,word) (when (hour-go word) (hour-ask :textDocument/references :context '(:includeDeclaration t))))
+    (`("rename" ,word ,new) (when (hour-go word) (condition-case nil (eglot-rename new) (jsonrpc-error nil))))
+    (`("outline") (hour-ask :textDocument/documentSymbol))
+    (`("action") (hour-act))
+    (`("format") (eglot-format-buffer))
+    (`("save") (let ((inhibit-message t)) (save-buffer)))
+    (`("other") (find-file (if (string-suffix-p "one.vs" buffer-file-name) "two.vs" "one.vs")))
+    (_ (error "hour: no step %S" step))))
+
+(defun hour-compare ()
+  (eglot--signal-textDocument/didChange)
+  (setq hour-done (1+ hour-done))
+  (let ((text (buffer-substring-no-properties (point-min) (point-max))) (name buffer-file-name)
+        (coding-system-for-write 'utf-8-unix) (folder hour-folder))
+    (with-temp-buffer
+      (insert name "\n" text)
+      (write-region nil nil (expand-file-name "step.part" folder) nil 'silent))
+    (rename-file (expand-file-name "step.part" folder) (expand-file-name "step" folder) t)
+    (hour-wait (lambda () (with-temp-buffer (and (file-exists-p (expand-file-name "compared" folder)) (insert-file-contents (expand-file-name "compared" folder))
+                            (= (string-to-number (buffer-string)) hour-done)))))))
+
+(defun hour ()
+  (setq make-backup-files nil create-lockfiles nil eglot-confirm-server-initiated-edits nil auto-save-default nil hour-folder default-directory)
+  (let ((lines (with-temp-buffer (insert-file-contents "steps") (split-string (buffer-string) "\n" t))))
+    (find-file "one.vs")
+    (buffer-enable-undo)
+    (apply #'eglot--connect (eglot--guess-contact))
+    (hour-wait (lambda () (eglot-current-server)))
+    (hour-wait #'eglot-managed-p)
+    (dolist (line lines)
+      (undo-boundary)
+      (hour-step (mapcar (lambda (word) (json-parse-string word)) (split-string line "\t")))
+      (hour-wait #'eglot-managed-p)
+      (hour-compare))
+    ;; eglot-shutdown kills the process a moment after `exit'.
+    (jsonrpc-request (eglot-current-server) :shutdown nil)
+    (jsonrpc-notify (eglot-current-server) :exit nil)
+    (hour-wait (lambda () (with-temp-buffer (insert-file-contents (expand-file-name "log" hour-folder)) (search-forward "\"ended\"" nil t))))
+    (dolist (b (buffer-list)) (with-current-buffer b (set-buffer-modified-p nil)))))
