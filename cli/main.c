@@ -695,7 +695,7 @@ static int run_command(int argc, char **argv, bool *told) {
     return code;
   }
   if (options.command == CLI_COMMAND_lsp) {
-    vs_outcome outcome = cli_language_server(&options);
+    vs_outcome outcome = cli_language_server(&options, run_words);
     cli_options_free(&options);
     return (int)outcome;
   }

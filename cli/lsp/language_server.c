@@ -10,6 +10,9 @@
 #include "cli/lsp/lsp_actions.h"
 #include "cli/lsp/lsp_colours.h"
 #include "cli/lsp/lsp_lens.h"
+#include "cli/lsp/lsp_messages.h"
+#include "cli/lsp/lsp_runs.h"
+#include "cli/lsp/lsp_saved.h"
 #include "cli/lsp/lsp_words.h"
 #include "languages/analysis/notation.h"
 #include "model/store/array.h"
@@ -37,77 +40,72 @@ static bool receive(server *v, size_t *length) {
   return *length == (size_t)size;
 }
 
-static void send_text(const char *text, size_t length) {
-  printf("Content-Length: %zu\r\n\r\n", length);
-  fwrite(text, 1, length, stdout);
-  fflush(stdout);
-}
-
-/* A message that is written to memory first, and then sent with its length. */
-typedef struct { FILE *to; char *text; size_t length; } message;
-
-static bool message_begin(message *m) {
-  *m = (message){ 0 };
-  m->to = open_memstream(&m->text, &m->length);
-  if (m->to) fputs("{\"jsonrpc\":\"2.0\",", m->to);
-  return m->to != NULL;
-}
-
-static void message_send(message *m) {
-  fputc('}', m->to);
-  if (fclose(m->to) == 0) send_text(m->text, m->length);
-  free(m->text);
-}
-
 static void send_error(server *v, cli_data id, int code, const char *why) {
-  message m;
-  if (!message_begin(&m)) return;
+  lsp_message m;
+  if (!lsp_message_begin(&m)) return;
   fputs("\"id\":", m.to);
   cli_data_echo(&v->s.json, id, m.to);
   fprintf(m.to, ",\"error\":{\"code\":%d,\"message\":", code);
   know_json_text(m.to, why, strlen(why));
   fputc('}', m.to);
-  message_send(&m);
+  lsp_message_send(&m);
 }
 
 /* Asks the editor to show an address, if the answer has set one. */
 static void show(server *v) {
-  message m;
+  lsp_message m;
   const char *address = v->s.show;
   v->s.show = NULL;
-  if (!address || !message_begin(&m)) return;
+  if (!address || !lsp_message_begin(&m)) return;
   fprintf(m.to, "\"id\":\"show-%u\",\"method\":\"window/showDocument\",\"params\":{\"external\":true,\"uri\":",
           ++v->shown);
   lsp_put(m.to, address);
   fputc('}', m.to);
-  message_send(&m);
+  lsp_message_send(&m);
 }
 
 /* Sends the result of a request, or the reason why there is none. */
 static void send_result(server *v, cli_data id, cli_data parameters, lsp_answer *answer) {
-  message m;
-  if (!message_begin(&m)) return;
+  lsp_message m;
+  if (!lsp_message_begin(&m)) return;
   fputs("\"id\":", m.to);
   cli_data_echo(&v->s.json, id, m.to);
   fputs(",\"result\":", m.to);
-  v->s.to = m.to, v->s.refused = NULL;
+  v->s.to = m.to, v->s.refused = NULL, v->s.id = id, v->s.later = false;
   answer(&v->s, parameters);
+  if (v->s.later) {
+    lsp_message_drop(&m);
+    return;
+  }
   if (!v->s.refused) {
-    message_send(&m);
+    lsp_message_send(&m);
     show(v);
     return;
   }
-  fclose(m.to);
-  free(m.text);
+  lsp_message_drop(&m);
   send_error(v, id, REFUSED, v->s.refused);
 }
 
 /* ---- the life of the server ---- */
 
+/* Notes what the editor can show, and what its user wants. */
+static void note_editor(lsp_server *s, cli_data parameters) {
+  const cli_data_reader *json = &s->json;
+  const char *root = cli_data_text(json, parameters, "rootUri", NULL);
+  bool wanted;
+  s->shows = cli_data_true(json, parameters, "capabilities.window.showDocument.support");
+  s->refreshes = cli_data_true(json, parameters, "capabilities.workspace.inlayHint.refreshSupport");
+  s->fades = cli_data_at(json, parameters, "capabilities.textDocument.publishDiagnostics.tagSupport") != NULL;
+  s->pictures = cli_data_true(json, parameters, "initializationOptions.pictures");
+  s->runs_saved = !cli_data_is_truth(cli_data_at(json, parameters, "initializationOptions.run"), &wanted) || wanted;
+  free(s->root);
+  s->root = root ? lsp_path_of(root) : NULL;
+}
+
 static void answer_initialize(lsp_server *s, cli_data parameters) {
-  s->shows = cli_data_true(&s->json, parameters, "capabilities.window.showDocument.support");
+  note_editor(s, parameters);
   fputs("{\"capabilities\":{\"positionEncoding\":\"utf-16\","
-        "\"textDocumentSync\":{\"openClose\":true,\"change\":2}", s->to);
+        "\"textDocumentSync\":{\"openClose\":true,\"change\":2,\"save\":true}", s->to);
 #define LSP_REQUEST(method, function, capability) fputs("," capability, s->to);
 #include "cli/lsp/lsp_methods.def"
   fputs("},\"serverInfo\":{\"name\":\"vs\",\"version\":\"" VS_VERSION "\"}}", s->to);
@@ -116,18 +114,6 @@ static void answer_initialize(lsp_server *s, cli_data parameters) {
 static void answer_null(lsp_server *s, cli_data parameters) {
   (void)parameters;
   fputs("null", s->to);
-}
-
-static void publish(lsp_server *s, lsp_document *d, bool closed) {
-  message m;
-  if (!message_begin(&m)) return;
-  fputs("\"method\":\"textDocument/publishDiagnostics\",\"params\":{\"uri\":", m.to);
-  know_json_text(m.to, d->uri, strlen(d->uri));
-  fputs(",\"diagnostics\":", m.to);
-  if (closed) fputs("[]", m.to);
-  else lsp_write_diagnostics(m.to, d, s->interpreter);
-  fputc('}', m.to);
-  message_send(&m);
 }
 
 static void drop(lsp_server *s, lsp_document *d) {
@@ -146,7 +132,8 @@ static void lsp_did_open(lsp_server *s, cli_data parameters) {
   if (!d) return;
   if (old) drop(s, old);
   s->documents[s->count++] = d;
-  publish(s, d, false);
+  d->saved = lsp_document_is_file(d);
+  lsp_publish(s, d, false);
 }
 
 static void lsp_did_change(lsp_server *s, cli_data parameters) {
@@ -162,13 +149,13 @@ static void lsp_did_change(lsp_server *s, cli_data parameters) {
     }
     if (text) lsp_document_edit(d, from, to, text, length);
   }
-  if (d) publish(s, d, false);
+  if (d) lsp_publish(s, d, false);
 }
 
 static void lsp_did_close(lsp_server *s, cli_data parameters) {
   lsp_document *d = lsp_find(s, parameters);
   if (!d) return;
-  publish(s, d, true);
+  lsp_publish(s, d, true);
   drop(s, d);
 }
 
@@ -208,8 +195,8 @@ static void handle(server *v, cli_data m) {
 /* Ignores messages of the interpreter that only provides the names of the language, because they concern no text. */
 static void ignore(void *context, const vs_diagnostic *d) { (void)context, (void)d; }
 
-vs_outcome cli_language_server(const cli_options *o) {
-  server v = { .s.interpreter = &o->interpreter };
+vs_outcome cli_language_server(const cli_options *o, int (*run)(int argc, char **argv)) {
+  server v = { .s.interpreter = &o->interpreter, .s.run = run };
   vs_options interpreter = o->interpreter;
   interpreter.host = (vs_host){ .diagnose = ignore };
   size_t length = 0;
@@ -219,7 +206,10 @@ vs_outcome cli_language_server(const cli_options *o) {
     return VS_OUTCOME_WORKER;
   }
   v.s.language = vs_new(&interpreter);
-  while (v.s.language && !v.ended && !ferror(stdout) && receive(&v, &length)) {
+  setvbuf(stdin, NULL, _IONBF, 0); /* no message waits in a buffer while lsp_runs_wait looks at the descriptor */
+  while (v.s.language && !v.ended && !ferror(stdout)) {
+    lsp_runs_wait(&v.s);
+    if (!receive(&v, &length)) break;
     cli_data m = cli_data_read(&v.s.json, v.body, length);
     if (m) handle(&v, m);
     else send_error(&v, NULL, BAD_JSON, "this message is no JSON");
@@ -230,6 +220,8 @@ vs_outcome cli_language_server(const cli_options *o) {
   while (v.s.count) drop(&v.s, v.s.documents[0]);
   vs_free(v.s.language);
   lsp_views_end(&v.s);
+  lsp_runs_end(&v.s);
+  free(v.s.root);
   free(v.s.documents);
   free(v.body);
   cli_data_close(&v.s.json);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "cli/lsp/lsp_libraries.h"
+#include "cli/lsp/lsp_pictures.h"
 #include "cli/lsp/lsp_words.h"
 #include "cli/prompt/source_text.h"
 #include "languages/analysis/notation.h"
@@ -89,7 +90,9 @@ void lsp_hover(lsp_server *s, cli_data parameters) {
   FILE *to = symbol ? open_memstream(&text, &length) : NULL;
   if (to) add_symbol(to, k, symbol);
   if (to) fclose(to);
-  if (length) {
+  s->later = length && lsp_picture_start(s, lsp_find(s, parameters), node, text);
+  if (s->later) {}
+  else if (length) {
     fputs("{\"contents\":{\"kind\":\"markdown\",\"value\":", s->to);
     know_json_text(s->to, text, length);
     fputs("},", s->to);

@@ -8,6 +8,8 @@
 
 typedef struct { char *path, address[160]; int process; } lsp_view;
 
+struct lsp_run;
+
 typedef struct {
   cli_data_reader json;
   const vs_options *interpreter;
@@ -15,6 +17,16 @@ typedef struct {
   lsp_document **documents; size_t count, room; /* array of pointers to documents, which are separate blocks, since
                                                  * interpreters point to them */
   const char *refused;       /* reason why the last request has no result, or NULL */
+  cli_data id;               /* id of the request that is being answered */
+  bool later;                /* whether a run answers the last request */
+  int (*run)(int argc, char **argv); /* a function that runs a command of vs, and returns its exit code */
+  struct lsp_run *runs; size_t run_count, run_room;
+  char *root;                /* folder of the editor's project, or NULL */
+  bool runs_saved;           /* whether a text runs when it is saved */
+  bool pictures;             /* whether the editor shows pictures in the text on a name */
+  bool fades;                /* whether the editor shows forms as unnecessary */
+  bool refreshes;            /* whether the editor asks again for hints when it is told */
+  unsigned refreshed;        /* number of times that it was told */
   FILE *to;                  /* stream to which a request's result is written */
   lsp_view *views; size_t view_count, view_room; /* the live views that the server has started */
   bool shows;                /* whether the editor shows addresses that it receives */

@@ -75,9 +75,7 @@ static int hexadecimal(char c) {
   return found ? (int)(found - digits) % 16 : -1;
 }
 
-/* Returns the path for an address such as file:///home/a%20b.vs, or the address itself if it does not begin with
- * file:. */
-static char *path_of(const char *uri) {
+char *lsp_path_of(const char *uri) {
   char *path = strdup(strncmp(uri, "file://", 7) ? uri : uri + 7), *to = path;
   for (const char *at = path; at && *at; at++) {
     int high = *at == '%' ? hexadecimal(at[1]) : -1, low = high >= 0 ? hexadecimal(at[2]) : -1;
@@ -103,7 +101,7 @@ void lsp_write_uri(FILE *to, const char *path) {
 lsp_document *lsp_document_open(const char *uri, const char *text, size_t length) {
   lsp_document *d = vs_zeros(1, sizeof *d);
   if (!d) return NULL;
-  *d = (lsp_document){ .uri = strdup(uri), .path = path_of(uri) };
+  *d = (lsp_document){ .uri = strdup(uri), .path = lsp_path_of(uri) };
   d->draft = &d->drafts[0];
   if (d->uri && d->path && lsp_document_edit(d, 0, 0, text, length)) return d;
   lsp_document_free(d);
@@ -113,6 +111,8 @@ lsp_document *lsp_document_open(const char *uri, const char *text, size_t length
 void lsp_document_free(lsp_document *d) {
   for (size_t i = 0; i < 2; i++) cli_draft_free(&d->drafts[i]);
   free(d->libraries);
+  free(d->messages);
+  free(d->times);
   free(d->uri);
   free(d->path);
   free(d->text);
@@ -127,8 +127,24 @@ bool lsp_document_edit(lsp_document *d, size_t from, size_t to, const char *text
   if (length) memcpy(d->text + from, text, length);
   d->length = from + length + rest;
   d->text[d->length] = 0;
-  d->fresh = false;
+  d->fresh = d->saved = d->slow = false;
+  lsp_document_forget(d);
   return true;
+}
+
+bool lsp_document_is_file(const lsp_document *d) {
+  FILE *file = *d->path == '/' ? fopen(d->path, "rb") : NULL;
+  char part[65536];
+  size_t at = 0, n = 0;
+  if (!file) return false;
+  while ((n = fread(part, 1, sizeof part, file)) > 0 && n <= d->length - at && !memcmp(part, d->text + at, n)) at += n;
+  fclose(file);
+  return n == 0 && at == d->length;
+}
+
+void lsp_document_forget(lsp_document *d) {
+  d->message_count = d->time_count = 0;
+  d->seconds = 0;
 }
 
 /* Finds the packages that the text uses, at its first analysis. Ignores packages whose files were changed. */

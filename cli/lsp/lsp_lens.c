@@ -28,9 +28,7 @@ static bool defines(const knowledge *k, know_index form) {
   return false;
 }
 
-/* Returns the node that makes the drawing: the first call of draw, otherwise the last expression; 0 if there is
- * none. */
-static know_index drawing_of(const knowledge *k) {
+know_index lsp_drawing_of(const knowledge *k) {
   for (know_index i = 1; i <= k->text_nodes; i++) {
     const know_node *n = know_at(k, i);
     const know_symbol *s = n->symbol ? &k->symbols[n->symbol] : NULL;
@@ -46,7 +44,7 @@ static know_index drawing_of(const knowledge *k) {
 void lsp_lens(lsp_server *s, cli_data parameters) {
   lsp_document *d = lsp_find(s, parameters);
   bool known = d && know_reads(d->path) && lsp_document_study(d, s->interpreter);
-  know_index drawing = known ? drawing_of(&d->draft->k) : 0;
+  know_index drawing = known ? lsp_drawing_of(&d->draft->k) : 0;
   fputc('[', s->to);
   if (drawing) {
     fputc('{', s->to);

@@ -73,6 +73,55 @@ void lsp_write_diagnostic(FILE *to, const lsp_document *d, const know_finding *f
   fputc('}', to);
 }
 
+/* Returns the form that begins at the place, or 0. */
+static know_index form_at(const knowledge *k, uint32_t line, uint32_t column) {
+  for (know_index i = 1; i <= k->text_nodes; i++) {
+    const know_node *n = know_at(k, i);
+    if (!n->at.file && !n->made && n->at.line == line && n->at.column == column) return i;
+  }
+  return 0;
+}
+
+/* Returns the bytes of the place, up to the end of the form that begins there, and at most to the end of the line if
+ * `line` is set. */
+static lsp_span run_span(const lsp_document *d, const lsp_run_message *m, bool line) {
+  know_place place = { .line = m->line, .column = m->column };
+  lsp_span span = lsp_place(d->text, d->length, &place);
+  know_index form = d->draft->known ? form_at(&d->draft->k, m->line, m->column) : 0;
+  if (form) span = (lsp_span){ know_at(&d->draft->k, form)->at.from, know_at(&d->draft->k, form)->at.to };
+  uint32_t end = span.from + (uint32_t)strcspn(d->text + span.from, "\r\n");
+  if (line && span.to > end && end > span.from) span.to = end;
+  return span;
+}
+
+/* Returns true if the analysis reports something at the place of the message. */
+static bool is_found(const lsp_document *d, const lsp_run_message *m) {
+  for (size_t i = 0; d->draft->known && i < d->draft->found.count; i++) {
+    const know_place *at = &d->draft->found.at[i].at;
+    if (!at->file && at->line == m->line && at->column == m->column) return true;
+  }
+  return false;
+}
+
+/* Writes what the run after the last save said. Of forms that it did not reach, writes the outermost. */
+static void write_run(FILE *to, const lsp_document *d, const char *comma) {
+  uint32_t faded = 0; /* end of the last form that the run did not reach */
+  for (size_t i = 0; i < d->message_count; i++) {
+    const lsp_run_message *m = &d->messages[i];
+    bool unreached = m->severity == LSP_UNREACHED;
+    lsp_span span = run_span(d, m, !unreached);
+    if (unreached ? span.to <= faded : is_found(d, m)) continue;
+    if (unreached) faded = span.to;
+    fprintf(to, "%s{", comma);
+    lsp_put_range(to, "range", d->text, d->length, span);
+    fprintf(to, ",\"severity\":%d,\"source\":\"vs\",\"code\":\"%s\",%s\"message\":", m->severity,
+            unreached ? "did-not-run" : "run", unreached ? "\"tags\":[1]," : "");
+    lsp_put(to, m->text);
+    fputc('}', to);
+    comma = ",";
+  }
+}
+
 void lsp_write_diagnostics(FILE *to, lsp_document *d, const vs_options *interpreter) {
   const char *comma = "";
   fputc('[', to);
@@ -85,5 +134,6 @@ void lsp_write_diagnostics(FILE *to, lsp_document *d, const vs_options *interpre
     lsp_write_diagnostic(to, d, f);
     comma = ",";
   }
+  if (known) write_run(to, d, comma);
   fputc(']', to);
 }

@@ -58,7 +58,7 @@ async function showPanel(address, title, ended) {
   return panel;
 }
 
-// The language server, if its client's package is installed: completion, help, definitions, colours, quick fixes. An address that the
+// The language server, if its client's package is installed: completion, help, definitions, colours, quick fixes, runs after a save. An address that the
 // server asks to show appears in a panel.
 function startServer() {
   let node;
@@ -69,7 +69,7 @@ function startServer() {
     return { success: true };
   };
   const client = new node.LanguageClient("visualscheme", "VisualScheme", { command: setting("command"), args: ["lsp"] },
-    { documentSelector: [{ scheme: "file", language: "visualscheme" }, { scheme: "untitled", language: "visualscheme" }], middleware: { window: { showDocument } } });
+    { documentSelector: [{ scheme: "file", language: "visualscheme" }, { scheme: "untitled", language: "visualscheme" }], initializationOptions: { pictures: true, run: setting("checkOnSave") }, middleware: { window: { showDocument } } });
   client.start();
   return client;
 }
@@ -121,7 +121,7 @@ function activate(context) {
     }));
   };
   context.subscriptions.push(list, looks, vscode.commands.registerCommand("visualscheme.write", write), vscode.commands.registerCommand("visualscheme.check", () => check(vscode.window.activeTextEditor && vscode.window.activeTextEditor.document)),
-    vscode.commands.registerCommand("visualscheme.view", view), vscode.workspace.onDidSaveTextDocument((d) => { if (setting("checkOnSave")) check(d); }),
+    vscode.commands.registerCommand("visualscheme.view", view), vscode.workspace.onDidSaveTextDocument((d) => { if (setting("checkOnSave") && !server) check(d); }),
     { dispose: () => { for (const server of views.values()) server.kill(); } });
 }
 

@@ -65,12 +65,12 @@ class TextDocument {
 }
 
 const register = (kind) => (selector, provider, ...more) => { providers.set(kind, provider); return { dispose: () => providers.delete(kind), more }; };
-const kinds = ["CompletionItem", "Hover", "SignatureHelp", "Definition", "Reference", "Rename", "DocumentSymbol", "DocumentFormattingEdit", "CodeActions", "CodeLens", "DocumentSemanticTokens"];
+const kinds = ["CompletionItem", "Hover", "SignatureHelp", "Definition", "Reference", "Rename", "DocumentSymbol", "DocumentFormattingEdit", "CodeActions", "CodeLens", "DocumentSemanticTokens", "InlayHints"];
 const languages = { match: (selector, document) => [].concat(selector).some((s) => !s.language || s.language === document.languageId) ? 10 : 0,
   createDiagnosticCollection: (name) => { const map = new Map(); collections.set(name, map); return { name, set: (uri, list) => map.set(String(uri), list || []), delete: (uri) => map.delete(String(uri)), get: (uri) => map.get(String(uri)), clear: () => map.clear(), dispose: () => map.clear() }; } };
 for (const kind of kinds) languages[`register${kind}Provider`] = register(kind);
 
-const settings = { command: process.env.VS || "vs", checkOnSave: false };
+const settings = { command: process.env.VS || "vs", checkOnSave: true };
 const workspace = { textDocuments: documents, workspaceFolders: undefined, notebookDocuments: [], isTrusted: true, getConfiguration: () => ({ get: (name, otherwise) => name in settings ? settings[name] : otherwise, inspect: () => undefined }), getWorkspaceFolder: () => undefined,
   onDidOpenTextDocument: events.open.event, onDidChangeTextDocument: events.change.event, onDidCloseTextDocument: events.close.event, onDidSaveTextDocument: events.save.event,
   onWillSaveTextDocument: new EventEmitter().event, createFileSystemWatcher: () => anything(),

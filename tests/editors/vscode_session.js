@@ -51,7 +51,18 @@ async function session() {
   d.apply(await host.providers.get("DocumentFormattingEdit").provideDocumentFormattingEdits(d, { tabSize: 2, insertSpaces: true }, token));
   await settled(1);
   say("text", "\n" + d.text);
+  const fault = '(error "too high:" height)\n';
+  d.edit(d.text.length, d.text.length, fault);
   fs.writeFileSync(file, d.text);
+  await d.save();
+  await until("the run's message", () => messages().some((m) => m.code === "run"));
+  say("run", messages().filter((m) => m.code === "run").map((m) => `${m.range.start.line + 1} ${m.message}`));
+  d.edit(d.text.length - fault.length, d.text.length, "");
+  await settled(1);
+  fs.writeFileSync(file, d.text);
+  await d.save();
+  const told = await host.providers.get("Hover").provideHover(d, at(d, "(define hei^ght"), token);
+  say("value", [].concat(told.contents).map((c) => c.value || c).join().includes("```scheme\n3\n```"));
   const lens = await host.providers.get("CodeLens").provideCodeLenses(d, token);
   say("lens", lens.map((l) => l.command.title));
   if (process.env.VIEWER) {

@@ -1,14 +1,14 @@
 # A client of `vs lsp`: lsp.py VS FOLDER ONLY. Prints `ok NAME`, or `not ok NAME` and its reasons.
-import json, os, pathlib, random, re, subprocess, sys, time, urllib.request
+import base64, json, os, pathlib, random, re, subprocess, sys, time, urllib.parse, urllib.request, xml.etree.ElementTree as tree
 
 vs, work, only = sys.argv[1], pathlib.Path(sys.argv[2]), sys.argv[3]
 
 class Client:
-    def __init__(self, initialize=True, shows=False, environment=None):
-        self.process = subprocess.Popen([vs, "lsp"], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+    def __init__(self, initialize=True, shows=False, environment=None, capabilities={}, options={}, root=None, words=()):
+        self.process = subprocess.Popen([vs, "lsp", *map(str, words)], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                         stderr=subprocess.PIPE, env=environment)
         self.number, self.found = 0, {}
-        if initialize: self.capabilities = self.ask("initialize", {"capabilities": {"window": {"showDocument": {"support": shows}}}})["capabilities"]
+        if initialize: self.capabilities = self.ask("initialize", {"capabilities": {"window": {"showDocument": {"support": shows}}, **capabilities}, "initializationOptions": options, "rootUri": root})["capabilities"]
 
     def send(self, message):
         body = message if isinstance(message, bytes) else json.dumps(message).encode()
@@ -36,6 +36,11 @@ class Client:
         m = self.receive()
         self.found[m["params"]["uri"]] = m["params"]["diagnostics"]
         return m["params"]["diagnostics"]
+
+    def save(self, uri, text):
+        pathlib.Path(urllib.parse.unquote(uri.removeprefix("file://"))).write_text(text)
+        self.tell("textDocument/didSave", {"textDocument": {"uri": uri}})
+        return self.diagnostics()
 
     def open(self, uri, text):
         self.tell("textDocument/didOpen", {"textDocument": {"uri": uri, "languageId": "scheme", "version": 1, "text": text}})
@@ -74,6 +79,9 @@ def words(text, span):
     return text[a:b]
 
 def result(name, reasons):
+    if reasons is None:
+        print(f"skip {name}: no Landlock")
+        return
     print(f"not ok {name}" if reasons else f"ok {name}")
     for reason in reasons[:8]: print("    " + str(reason)[:600])
 
@@ -318,6 +326,131 @@ def lens():
     c.end()
     return reasons
 
+# What a text runs into when it is saved: errors, warnings, forms that did not run, times of lines. Each program with the
+# messages that the run adds: line, severity, and a part of the text.
+RUNS = [
+    ("(define l (map (lambda (i) (* i i)) (iota 2)))\n(draw (make-box origin 1 (apply list-ref (list l 5)) 1))\n", [(1, 1, "list-ref")]),
+    ("(draw (make-box origin 1 1 1))\n(error \"größe\" 7)\n", [(1, 1, "größe 7")]),
+    ("(load \"sub/two.vs\")\n(draw (two 0))\n", [(1, 1, "two.vs:2:3")]),
+    ("(define (g i)\n  (/ 1 i))\n(draw (make-box origin 1 (g 0) 1))\n", [(1, 1, "division by zero")]),
+    ("(draw (make-box origin 1 1 1))\n(display \"forged:1:1:\\nno message: 1:1: x\")\n", []),
+    ("(define (f i)\n  (if (> i 3)\n      (make-sphere\n        (xyz i 0 0) 1)\n      (make-box origin 1 1 1)))\n(draw (f 1))\n", [(2, 4, "did not reach")]),
+    ("(define (f i)\n  (if (> i 3) (make-box origin 1 1 1) 5))\n", []),
+    ("(let loop () (loop))\n(draw (make-box origin 1 1 1))\n", None),
+    ("(define (f", []),
+]
+
+# Without Landlock the server runs nothing.
+def confines():
+    (work / "probe.vs").write_text("(display 1)")
+    return "Landlock" not in subprocess.run([vs, "-q", "--untrusted", work / "probe.vs"], capture_output=True, text=True).stderr
+
+def runs():
+    if not confines(): return None
+    reasons, folder = [], work / "läufe"
+    (folder / "sub").mkdir(parents=True)
+    (folder / "sub/two.vs").write_text("(define (two i)\n  (/ 1 i))\n")
+    tags = {"textDocument": {"publishDiagnostics": {"tagSupport": {"valueSet": [1, 2]}}}, "workspace": {"inlayHint": {"refreshSupport": True}}}
+    for fades, root in ((True, None), (False, work.as_uri())):
+        c = Client(capabilities=tags if fades else {}, root=root)
+        uri = (folder / "a.vs").as_uri()
+        for text, want in RUNS:
+            before = c.open(uri, text)
+            if want is None: # it ends by its limit of time, while the server answers
+                (folder / "a.vs").write_text(text)
+                c.tell("textDocument/didSave", {"textDocument": {"uri": uri}})
+                begun = time.monotonic()
+                c.at("hover", uri, text, "(lo^op")
+                if time.monotonic() - begun > 2: reasons.append("a run holds up the server")
+                c.tell("textDocument/didChange", {"textDocument": {"uri": uri, "version": 2}, "contentChanges": [{"text": "1"}]}); c.diagnostics()
+                continue
+            if text == "(define (f": # it cannot be read, and does not run
+                (folder / "a.vs").write_text(text)
+                c.tell("textDocument/didSave", {"textDocument": {"uri": uri}})
+                c.at("hover", uri, text, "(def^ine")
+                continue
+            found = [d for d in c.save(uri, text) if d not in before]
+            if fades: expect(reasons, "the editor asks again", c.receive()["method"], "workspace/inlayHint/refresh")
+            want = [w for w in want if fades or w[1] != 4]
+            got = [(d["range"]["start"]["line"], d["severity"]) for d in found]
+            expect(reasons, f"run of {text!r}", got, [w[:2] for w in want])
+            for w, d in zip(want, found):
+                if w[2] not in d["message"]: reasons.append(f"{text!r}: {d}")
+                if (w[1] == 4) != (d.get("tags") == [1]): reasons.append(f"{text!r} has the tags {d}")
+                if w[1] == 4: expect(reasons, "the form", words(text, d["range"]), "(make-sphere\n        (xyz i 0 0) 1)")
+            if found: expect(reasons, "after a change", c.change(uri, {"range": {"start": {"line": 0, "character": 0}, "end": {"line": 0, "character": 0}}, "text": "\n"}) == before or [d["message"] for d in c.found[uri]] == [d["message"] for d in before], True)
+        # Nothing outside of the project is read, and nothing is written.
+        (work / "outside.txt").write_text("secret")
+        text = f'(display 1)\n(define (try f) (guard (e (#t (error-object-message e))) (f)))\n(draw (make-box origin 1 1 1))\n(define a (try (lambda () (call-with-output-file "{work}/written" (lambda (p) (display 1 p))))))\n(define b (try (lambda () (file->string "{work}/outside.txt"))))\n(error "seen" b)\n'
+        c.open(uri, text)
+        found = [d["message"] for d in c.save(uri, text) if d["code"] == "run" and d["severity"] == 1]
+        if fades: c.receive()
+        if (work / "written").exists(): reasons.append("a run has written a file")
+        if len(found) != 1 or ("secret" in found[0]) == fades: reasons.append(f"a run reads {found}")
+        text = "(define (spin n) (let loop ([i 0]) (if (< i n) (loop (+ i 1)))))\n(spin 3000000)\n(spin 1000000)\n(draw (make-box origin 1 1 1))\n"
+        c.open(uri, text)
+        c.save(uri, text)
+        if fades: c.receive()
+        hints = c.ask("textDocument/inlayHint", {"textDocument": {"uri": uri}, "range": {"start": {"line": 0, "character": 0}, "end": {"line": 9, "character": 0}}})
+        expect(reasons, "hints", [(h["position"], h["label"]) for h in hints], [({"line": 0, "character": len(text.split("\n")[0])}, "100 %")])
+        expect(reasons, "hints of other lines", c.ask("textDocument/inlayHint", {"textDocument": {"uri": uri}, "range": {"start": {"line": 1, "character": 0}, "end": {"line": 9, "character": 0}}}), [])
+        expect(reasons, "end", c.end(), (0, (b"", b"")))
+    c = Client(options={"run": False})
+    uri = (folder / "a.vs").as_uri()
+    c.open(uri, RUNS[0][0])
+    (folder / "a.vs").write_text(RUNS[0][0])
+    c.tell("textDocument/didSave", {"textDocument": {"uri": uri}})
+    time.sleep(0.5)
+    c.at("hover", uri, RUNS[0][0], "list-r^ef")
+    expect(reasons, "without runs", [d["code"] for d in c.found[uri] if d["code"] == "run"], [])
+    c.end()
+    # A library of a package is found in a run, too.
+    home = work / "run-package"
+    (home / "shelf/towers").mkdir(parents=True)
+    (home / "shelf/towers/spire.sld").write_text("(define-library (towers spire)\n  (export spire)\n  (import (visualscheme))\n  (begin (define (spire n) (car n))))\n")
+    done = subprocess.run([vs, "add", "shelf/towers"], cwd=home, capture_output=True)
+    if done.returncode: reasons.append(str(done))
+    c, uri, text = Client(), (home / "m.vs").as_uri(), "(import (visualscheme) (towers spire))\n(draw (spire 3))\n"
+    expect(reasons, "before the run", c.open(uri, text), [])
+    expect(reasons, "run of a library", [("spire.sld:4" in d["message"], d["range"]["start"]) for d in c.save(uri, text)], [(True, {"line": 1, "character": 6})])
+    c.end()
+    return reasons
+
+# Value and picture of a definition, for editors that show pictures, while the text is that of its file.
+def pictures():
+    if not confines(): return None
+    reasons, uri = [], (work / "ä pictures.vs").as_uri()
+    text = "; 😀 The tower.\n(define tower (make-box origin 1 2 3))\n(define towers (list tower (make-sphere origin 1)))\n(define n 7)\n(define (f x) x)\n(define w (make-line origin (xyz 1 2 3)))\n(define endless (delay 1))\n(display tower)\n(draw towers)\n"
+    (work / "ä pictures.vs").write_text(text)
+    c, plain = Client(options={"pictures": True}), Client()
+    for client in (c, plain): client.open(uri, text)
+    for name, value, picture in (("tower", "(make-box", True), ("towers", "((make-box", True), ("n", "7", False), ("w", "(make-line", True), ("f", None, False), ("endless", "promise", False)):
+        place = f"(define {name[:1]}^{name[1:]} " if name != "f" else "(define (f^ x"
+        told = c.at("hover", uri, text, place)
+        expect(reasons, f"range of {name}", words(text, told["range"]), name)
+        told, old = told["contents"]["value"], plain.at("hover", uri, text, place)["contents"]["value"]
+        if not told.startswith(old): reasons.append(f"{name} is told as {told!r}, otherwise {old!r}")
+        if "data:image" in old: reasons.append("an editor without pictures gets one")
+        shown = re.search(r"!\[picture\]\(data:image/svg\+xml;base64,([^)]*)\)", told)
+        if (shown is not None) != picture: reasons.append(f"{name} has the picture {told[:500]}")
+        if shown:
+            root = tree.fromstring(base64.b64decode(shown[1], validate=True))
+            inked = [e for e in root.iter() if e.tag.endswith("path")]
+            if root.get("width") != "320" or not inked: reasons.append(f"{name}: {tree.tostring(root)[:300]}")
+        if (value is None) != ("```scheme\n" not in told[len(old):]) or (value and value not in told): reasons.append(f"{name} has the value {told[len(old):][:300]}")
+    c.change(uri, {"text": text.replace("1 2 3", "9 9 9")})
+    expect(reasons, "a text that is not saved", c.at("hover", uri, text, "(define to^wer ")["contents"]["value"], plain.at("hover", uri, text, "(define to^wer ")["contents"]["value"])
+    endless = "(define a 1)\n(let loop () (loop))\n"
+    c.open(uri, endless)
+    (work / "ä pictures.vs").write_text(endless)
+    c.tell("textDocument/didSave", {"textDocument": {"uri": uri}})
+    begun = time.monotonic()
+    told = c.at("hover", uri, endless, "(define ^a")["contents"]["value"]
+    if "7" in told or time.monotonic() - begun > 10: reasons.append(f"an endless text: {told}")
+    plain.end()
+    expect(reasons, "end", c.end(), (0, (b"", b"")))
+    return reasons
+
 # Processor time of the server for a text of 500 lines, in seconds.
 def speed():
     reasons, c, uri = [], Client(), "file:///tower.vs"
@@ -463,7 +596,7 @@ def libraries():
     expect(reasons, "end", c.end(), (0, (b"", b"")))
     return reasons
 
-for test in (answers, findings, actions, colours, lens, speed, edits, libraries, wrong, hostile):
+for test in (answers, findings, actions, colours, lens, runs, pictures, speed, edits, libraries, wrong, hostile):
     if only and only not in "lsp/" + test.__name__: continue
     try: result("lsp/" + test.__name__, test())
     except Exception as e: result("lsp/" + test.__name__, [repr(e)])
