@@ -333,12 +333,12 @@ VS_API bool vs_profile_call(vs_scheme *s, size_t index, vs_profile_call_info *ou
 
 /* ---- coverage ---- */
 
-/* Starts (if `on`) or ends the counting of the forms that are read later: each is a call, a definition or another form of
- * a program or its libraries, not of the language's library. Returns false when memory is out. */
+/* Starts (if `on`) or ends the counting of the forms that are read later: each is a call, a definition or another form
+ * of a program or its libraries, not of the language's library. Returns false when memory is out. */
 VS_API bool vs_coverage(vs_scheme *s, bool on);
 typedef struct { vs_span at; uint64_t count; /* number of times that the form has run */ } vs_coverage_info;
-/* Describes a form that is counted. Forms that a macro makes of one form have the same place. Returns false for an index
- * after the last. */
+/* Describes a form that is counted. Forms that a macro makes of one form have the same place. Returns false for an
+ * index after the last. */
 VS_API bool vs_coverage_get(vs_scheme *s, size_t index, vs_coverage_info *out);
 
 /* ---- parameters: results of (define-parameter ...), as data for sliders and -D ---- */

@@ -88,7 +88,7 @@ static void send_result(server *v, cli_data id, cli_data parameters, lsp_answer 
 
 /* ---- the life of the server ---- */
 
-/* Notes what the editor can show, and what its user wants. */
+/* Keeps the abilities of the editor, and its options. */
 static void note_editor(lsp_server *s, cli_data parameters) {
   const cli_data_reader *json = &s->json;
   const char *root = cli_data_text(json, parameters, "rootUri", NULL);

@@ -4,8 +4,8 @@
 
 #include "cli/options.h"
 
-/* Answers the messages of an editor on standard input until it says `exit`, or until the input ends. run: runs a command of
- * vs, and returns its exit code. */
+/* Answers the messages of an editor on standard input until it says `exit`, or until the input ends. run: runs a
+ * command of vs, and returns its exit code. */
 vs_outcome cli_language_server(const cli_options *o, int (*run)(int argc, char **argv));
 
 #endif

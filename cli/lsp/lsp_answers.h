@@ -44,8 +44,8 @@ void lsp_references(lsp_server *s, cli_data parameters);
 void lsp_rename(lsp_server *s, cli_data parameters);
 void lsp_outline(lsp_server *s, cli_data parameters);
 void lsp_formatting(lsp_server *s, cli_data parameters);
-void lsp_text(lsp_server *s, cli_data parameters); /* the text as the server has it, by which a test compares it with the
-                                                    * editor's */
+void lsp_text(lsp_server *s, cli_data parameters); /* the text as the server has it, by which a test compares it with
+                                                    * the editor's */
 
 /* Returns the open document with this address, or NULL if there is none. */
 lsp_document *lsp_find_uri(const lsp_server *s, const char *uri);

@@ -43,7 +43,7 @@ void lsp_document_free(lsp_document *d);
 /* Replaces the bytes from `from` to `to` - 1 of the document. Returns false when memory is out; the document is then
  * unchanged. */
 bool lsp_document_edit(lsp_document *d, size_t from, size_t to, const char *text, size_t length);
-/* Forgets what a run has said of the text. */
+/* Forgets the messages and the times of the last run. */
 void lsp_document_forget(lsp_document *d);
 /* Returns the interpreter's options, with the packages of the text's folder. */
 vs_options lsp_document_options(lsp_document *d, const vs_options *interpreter);

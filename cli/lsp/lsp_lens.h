@@ -12,7 +12,8 @@ void lsp_lens(lsp_server *s, cli_data parameters);    /* answers a request for t
 void lsp_command(lsp_server *s, cli_data parameters);
 void lsp_views_end(lsp_server *s); /* ends the live views that the server has started */
 
-/* Returns the node that makes the drawing: the first call of draw, otherwise the last expression; 0 if there is none. */
+/* Returns the node that makes the drawing: the first call of draw, otherwise the last expression; 0 if there is
+ * none. */
 know_index lsp_drawing_of(const knowledge *k);
 
 #endif

@@ -8,8 +8,8 @@
 #include "cli/lsp/lsp_runs.h"
 #include "cli/lsp/lsp_words.h"
 
-/* SECONDS: the longest run; after a longer one the text has no values until it is saved again. MOST_PICTURE: bytes of the
- * largest picture; MOST_VALUE: bytes of the longest value. */
+/* SECONDS: the longest run; after a longer one the text has no values until it is saved again. MOST_PICTURE: bytes of
+ * the largest picture; MOST_VALUE: bytes of the longest value. */
 enum { SECONDS = 3, MOST_PICTURE = 300000, MOST_VALUE = 400 };
 
 /* The program that runs after the text. The control characters 2 and 3 enclose the value in the output. */
@@ -87,7 +87,7 @@ static void answer(lsp_server *s, const lsp_run *r, bool whole) {
   free(text);
 }
 
-/* Returns what the function writes; the caller frees it. */
+/* Returns the node's range as JSON; the caller frees it. Returns NULL when memory is out. */
 static char *range_text(const knowledge *k, know_index node) {
   char *text = NULL;
   size_t length = 0;
@@ -117,8 +117,11 @@ bool lsp_picture_start(lsp_server *s, lsp_document *d, know_index node, const ch
   char expression[sizeof program + 200], seconds[20];
   snprintf(expression, sizeof expression, program, y->text);
   snprintf(seconds, sizeof seconds, "%d", SECONDS);
-  const char *words[] = { "vs", "-q", "--limit-time", seconds, "--limit-memory", "1024", strrchr(d->path, '/') + 1, "-e",
-                          expression, "--view", "hover", "--format", "svg", "-o", "-", NULL };
+  const char *words[] = {
+    "vs", "-q",       "--limit-time", seconds, "--limit-memory", "1024", strrchr(d->path, '/') + 1,
+    "-e", expression, "--view",       "hover", "--format",       "svg",  "-o",
+    "-",  NULL
+  };
   lsp_run r = { .done = answer, .id = id_text(s), .text = strdup(text), .range = range_text(k, node) };
   return lsp_run_start(s, &r, d, words, SECONDS + 1);
 }

@@ -4,8 +4,8 @@
 
 #include "cli/lsp/lsp_answers.h"
 
-/* Returns true if a run that computes the name's value has started; it answers the request that s->id names. text: the
- * answer without the value, of which the function keeps a copy; node: the name, whose range the answer has. */
+/* Starts a run that computes the value of the name `node`, and then answers the request with the id s->id. Returns
+ * false if no run starts. text: the answer without the value; the function copies it. */
 bool lsp_picture_start(lsp_server *s, lsp_document *d, know_index node, const char *text);
 
 #endif

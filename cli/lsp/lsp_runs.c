@@ -26,7 +26,8 @@ static double now(void) {
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* Returns the folder whose files the run may read: that of the project if it contains the text, otherwise the text's. */
+/* Returns the folder whose files the run may read: that of the project if it contains the text, otherwise the
+ * text's. */
 static const char *readable(const lsp_server *s, const char *path) {
   size_t n = s->root ? strlen(s->root) : 0;
   return n > 1 && !strncmp(path, s->root, n) && path[n] == '/' ? s->root : ".";
@@ -63,8 +64,8 @@ static void free_run(lsp_run *r) {
 
 bool lsp_run_start(lsp_server *s, lsp_run *r, const lsp_document *d, const char *const *words, double seconds) {
   int ends[2] = { -1, -1 };
-  bool ok = s->run_count < MOST_RUNS && VS_GROW(s->runs, s->run_room, s->run_count + 1) && VS_GROW(r->said, r->room, 1) &&
-            (r->uri = strdup(d->uri)) != NULL && pipe(ends) == 0;
+  bool ok = s->run_count < MOST_RUNS && VS_GROW(s->runs, s->run_room, s->run_count + 1) &&
+            VS_GROW(r->said, r->room, 1) && (r->uri = strdup(d->uri)) != NULL && pipe(ends) == 0;
   fflush(stdout);
   pid_t process = ok ? fork() : -1;
   if (process == 0) {

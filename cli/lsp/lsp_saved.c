@@ -1,4 +1,4 @@
-/* Runs a text when it is saved, and adds what the run says to the text's diagnostics. */
+/* Runs a text when it is saved, and adds the messages of the run to the text's diagnostics. */
 #include "cli/lsp/lsp_saved.h"
 
 #include <stdlib.h>
@@ -17,7 +17,9 @@ static const double LEAST_SHARE = 0.05, LEAST_SECONDS = 0.05;
 
 /* ---- reading the output ---- */
 
-static const char *file_name(const lsp_document *d) { return strrchr(d->path, '/') ? strrchr(d->path, '/') + 1 : d->path; }
+static const char *file_name(const lsp_document *d) {
+  return strrchr(d->path, '/') ? strrchr(d->path, '/') + 1 : d->path;
+}
 
 static bool begins(const char *text, const char *with) { return !strncmp(text, with, strlen(with)); }
 
@@ -39,8 +41,8 @@ static void take_call(lsp_document *d, const lsp_run_message *call) {
   if (last && !last->line) last->line = call->line, last->column = call->column;
 }
 
-/* Adds the message of a line FILE:LINE:COLUMN: text. A message on another file has line 0. Other lines, which the program
- * may have printed, are no messages. */
+/* Adds the message of a line FILE:LINE:COLUMN: text. A message on another file has line 0. Other lines, which the
+ * program may have printed, are no messages. */
 static void take_line(lsp_document *d, const char *line, size_t length) {
   char text[sizeof ((lsp_run_message *)0)->text], room[4096], head[300];
   unsigned row = 0, column = 0;

@@ -103,7 +103,8 @@ static bool is_found(const lsp_document *d, const lsp_run_message *m) {
   return false;
 }
 
-/* Writes what the run after the last save said. Of forms that it did not reach, writes the outermost. */
+/* Writes the messages of the run after the last save. Of nested forms that the run did not reach, writes the
+ * outermost. */
 static void write_run(FILE *to, const lsp_document *d, const char *comma) {
   uint32_t faded = 0; /* end of the last form that the run did not reach */
   for (size_t i = 0; i < d->message_count; i++) {

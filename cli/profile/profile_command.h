@@ -6,7 +6,7 @@
 
 /* Starts the profiler, and with --coverage the counting of forms. */
 void cli_profile_begin(cli_session *c);
-/* Prints the samples or the counts of the run that has ended, as a table or as JSON, and writes the flame graph that -o
+/* Prints the samples or the counts of the run that has ended, as a table or as JSON. Writes the flame graph that -o
  * names. whole: whether the run went to the end of the program. */
 vs_outcome cli_profile(cli_session *c, bool whole);
 

@@ -82,8 +82,8 @@ void profile_tree_free(profile_tree *t) {
   *t = (profile_tree){ 0 };
 }
 
-/* Returns the bytes before the column, which counts characters from 1, or those of the blanks at the start of the text if
- * these are more. */
+/* Returns the bytes before the column, which counts characters from 1, or those of the blanks at the start of the text
+ * if these are more. */
 static size_t before(const char *text, uint32_t column) {
   size_t blanks = strspn(text, " \t"), n = 0;
   for (uint32_t at = 1; text[n] && (at < column || (text[n] & 0xC0) == 0x80); n++) at += (text[n + 1] & 0xC0) != 0x80;

@@ -19,7 +19,8 @@ typedef struct {
 /* Reads the samples of the interpreter. Returns false when memory is out. profile_tree_free frees the tree. */
 bool profile_tree_read(profile_tree *t, vs_scheme *scheme);
 void profile_tree_free(profile_tree *t);
-/* Copies line `number` of the file from this column on into room, without blanks at its ends; "" if it cannot be read. */
+/* Copies line `number` of the file from this column on into room, without blanks at its ends; "" if it cannot be
+ * read. */
 void profile_line_text(const char *file, uint32_t number, uint32_t column, char *room, size_t size);
 
 #endif

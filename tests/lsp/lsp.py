@@ -387,7 +387,7 @@ def runs():
         if fades: c.receive()
         if (work / "written").exists(): reasons.append("a run has written a file")
         if len(found) != 1 or ("secret" in found[0]) == fades: reasons.append(f"a run reads {found}")
-        text = "(define (spin n) (let loop ([i 0]) (if (< i n) (loop (+ i 1)))))\n(spin 3000000)\n(spin 1000000)\n(draw (make-box origin 1 1 1))\n"
+        text = "(define (spin n) (let loop ([i 0]) (if (< i n) (loop (+ i 1)))))\n(spin 30000000)\n(spin 10000000)\n(draw (make-box origin 1 1 1))\n"
         c.open(uri, text)
         c.save(uri, text)
         if fades: c.receive()

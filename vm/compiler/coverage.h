@@ -14,8 +14,8 @@ typedef struct vs_cover_table {
   vs_covered *forms; size_t count, room;
 } vs_cover_table;
 
-/* Starts the counting of forms that are compiled later, of files from number first_file on. Returns false when memory is
- * out. vs_cover_end ends it; the counts remain until vs_cover_close. */
+/* Starts the counting of forms that are compiled later, without those of files below number first_file. Returns false
+ * when memory is out. vs_cover_end ends the counting; the counts remain until vs_cover_close. */
 bool vs_cover_begin(vs_scheme *vm, uint32_t first_file);
 void vs_cover_end(vs_scheme *vm);
 void vs_cover_close(vs_scheme *vm);
