@@ -6,6 +6,7 @@
 
 #include "cli/lsp/lsp_libraries.h"
 #include "cli/lsp/lsp_pictures.h"
+#include "cli/lsp/lsp_project.h"
 #include "cli/lsp/lsp_words.h"
 #include "cli/prompt/source_text.h"
 #include "languages/analysis/notation.h"
@@ -252,12 +253,34 @@ void lsp_definition(lsp_server *s, cli_data parameters) {
   else fputs("null", s->to);
 }
 
+/* Writes the address of the text at a place: the editor's own, if it has the text open. */
+static void put_address(FILE *to, const lsp_project *p, const lsp_name_place *at) {
+  if (p->files[at->file].owned) lsp_write_uri(to, p->files[at->file].path);
+  else lsp_put(to, p->files[at->file].open->uri);
+}
+
+static void put_place(FILE *to, const lsp_project *p, const lsp_name_place *at) {
+  const lsp_document *d = lsp_project_text(p, at);
+  fputs("{\"uri\":", to);
+  put_address(to, p, at);
+  fputc(',', to);
+  lsp_put_range(to, "range", d->text, d->length, (lsp_span){ at->from, at->to });
+  fputc('}', to);
+}
+
 void lsp_references(lsp_server *s, cli_data parameters) {
   knowledge *k = NULL;
   know_index node = 0, symbol = asked(s, parameters, &k, &node);
   const char *comma = "";
+  lsp_project p = { 0 };
+  bool everywhere = symbol && lsp_project_find(&p, s, lsp_find(s, parameters), symbol, NULL) && p.place_count;
   fputc('[', s->to);
-  for (know_index i = 1; symbol && i <= k->text_nodes; i++) {
+  for (size_t i = 0; everywhere && i < p.place_count; i++) {
+    fputs(i ? "," : "", s->to);
+    put_place(s->to, &p, &p.places[i]);
+  }
+  lsp_project_free(&p);
+  for (know_index i = 1; symbol && !everywhere && i <= k->text_nodes; i++) {
     if (!lsp_is_name_of(k, i, symbol)) continue;
     fputs(comma, s->to);
     lsp_put_location(s->to, k, i);
@@ -297,6 +320,64 @@ static bool same_meaning(const cli_draft *a, const cli_draft *b) {
   return true;
 }
 
+/* Returns whether the text is a name that a program can define. */
+static bool is_name(const lsp_server *s, const char *name) {
+  char text[300];
+  cli_draft d = { 0 };
+  int n = snprintf(text, sizeof text, "(define %s 1)", name);
+  bool ok = n < (int)sizeof text && lsp_word(name, name + strlen(name)) == strlen(name) &&
+            cli_draft_read(&d, s->interpreter, "name.vs", text, (size_t)n) && d.known && d.k.symbol_count > 1;
+  bool found = false;
+  for (know_index i = 1; ok && i < d.k.symbol_count; i++)
+    found |= d.k.symbols[i].definition && !strcmp(d.k.symbols[i].text, name);
+  cli_draft_free(&d);
+  return found;
+}
+
+/* Returns the reason why the project's files cannot be edited, or NULL. */
+static const char *obstacle(lsp_server *s, const lsp_project *p, const char *name) {
+  if (!p->whole) return "the project has more files than vs lsp searches; rename the name by hand";
+  if (!is_name(s, name)) return "the new name is no name of the language";
+  for (size_t i = 0; i < p->place_count; i++) {
+    const lsp_project_file *f = &p->files[p->places[i].file];
+    const char *why = strstr(f->path, "/.")                 ? "belongs to a package"
+                      : !f->owned && !lsp_document_is_file(f->open) ? "is not saved"
+                      : !f->fresh                           ? "has the new name already"
+                      : p->places[i].other && f->prefixed    ? "has the name with a prefix; rename it by hand"
+                                                            : NULL;
+    if (!why) continue;
+    snprintf(s->why, sizeof s->why, "%.300s %s", f->path, why);
+    return s->why;
+  }
+  return NULL;
+}
+
+/* Renames a symbol in all files of the project. */
+static void rename_everywhere(lsp_server *s, const lsp_project *p, const char *name) {
+  size_t last = SIZE_MAX;
+  s->refused = obstacle(s, p, name);
+  if (s->refused) return;
+  fputs("{\"changes\":{", s->to);
+  for (size_t i = 0; i < p->place_count; i++) {
+    const lsp_name_place *at = &p->places[i];
+    const lsp_document *d = lsp_project_text(p, at);
+    if (at->other) continue;
+    if (at->file == last) fputc(',', s->to);
+    else {
+      if (last != SIZE_MAX) fputs("],", s->to);
+      put_address(s->to, p, at);
+      fputs(":[", s->to);
+    }
+    last = at->file;
+    fputc('{', s->to);
+    lsp_put_range(s->to, "range", d->text, d->length, (lsp_span){ at->from, at->to });
+    fputs(",\"newText\":", s->to);
+    lsp_put(s->to, name);
+    fputc('}', s->to);
+  }
+  fputs(last == SIZE_MAX ? "}}" : "]}}", s->to);
+}
+
 /* Renames a symbol, if an analysis of the new text still finds the same definition for every name. */
 void lsp_rename(lsp_server *s, cli_data parameters) {
   knowledge *k = NULL;
@@ -304,9 +385,14 @@ void lsp_rename(lsp_server *s, cli_data parameters) {
   const char *name = cli_data_text(&s->json, parameters, "newName", NULL);
   lsp_document *d = lsp_find(s, parameters);
   s->refused = "there is no name of the program here";
-  if (!symbol || !name || !k->symbols[symbol].definition) return;
+  if (!symbol || !name) return;
+  lsp_project p = { 0 };
+  bool elsewhere = lsp_project_find(&p, s, d, symbol, name) && p.place_count && !p.here;
+  if (elsewhere) rename_everywhere(s, &p, name);
+  lsp_project_free(&p);
+  if (elsewhere || !k->symbols[symbol].definition) return;
   s->refused = "another file has the name; rename it there by hand";
-  for (know_index i = 1; i <= k->text_nodes; i++)
+  for (know_index i = 1; i < k->node_count; i++)
     if (lsp_is_name_of(k, i, symbol) && know_at(k, i)->at.file) return;
   size_t length = 0;
   char *text = renamed(k, symbol, name, &length);
@@ -344,7 +430,7 @@ void lsp_outline(lsp_server *s, cli_data parameters) {
   for (know_index i = 1; k && i < k->symbol_count; i++) {
     const know_symbol *y = &k->symbols[i];
     if (!y->definition || y->made || !y->form || know_at(k, y->definition)->at.file ||
-        k->scopes[y->scope].kind != KNOW_SCOPE_PROGRAM) continue;
+        !lsp_is_top(k, y)) continue;
     fprintf(s->to, "%s{\"name\":", comma);
     lsp_put(s->to, y->text);
     fprintf(s->to, ",\"kind\":%d,\"detail\":", y->kind == KNOW_FUNCTION || y->kind == KNOW_MACRO ? 12 : 13);

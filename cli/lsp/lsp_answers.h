@@ -16,6 +16,7 @@ typedef struct {
   vs_scheme *language;       /* an interpreter that has run no program, which provides the names of the language */
   lsp_document **documents; size_t count, room; /* array of pointers to documents, which are separate blocks, since
                                                  * interpreters point to them */
+  char why[500];             /* text of a reason that names a file */
   const char *refused;       /* reason why the last request has no result, or NULL */
   cli_data id;               /* id of the request that is being answered */
   bool later;                /* whether a run answers the last request */

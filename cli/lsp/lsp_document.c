@@ -109,7 +109,7 @@ lsp_document *lsp_document_open(const char *uri, const char *text, size_t length
 }
 
 void lsp_document_free(lsp_document *d) {
-  for (size_t i = 0; i < 2; i++) cli_draft_free(&d->drafts[i]);
+  lsp_document_rest(d);
   free(d->libraries);
   free(d->messages);
   free(d->times);
@@ -117,6 +117,11 @@ void lsp_document_free(lsp_document *d) {
   free(d->path);
   free(d->text);
   free(d);
+}
+
+void lsp_document_rest(lsp_document *d) {
+  for (size_t i = 0; i < 2; i++) cli_draft_free(&d->drafts[i]);
+  d->fresh = false;
 }
 
 bool lsp_document_edit(lsp_document *d, size_t from, size_t to, const char *text, size_t length) {

@@ -40,6 +40,8 @@ lsp_span lsp_place(const char *text, size_t length, const know_place *at);
 /* Returns a new document, which lsp_document_free frees, or NULL when memory is out. */
 lsp_document *lsp_document_open(const char *uri, const char *text, size_t length);
 void lsp_document_free(lsp_document *d);
+/* Frees the analyses, not the text. */
+void lsp_document_rest(lsp_document *d);
 /* Replaces the bytes from `from` to `to` - 1 of the document. Returns false when memory is out; the document is then
  * unchanged. */
 bool lsp_document_edit(lsp_document *d, size_t from, size_t to, const char *text, size_t length);

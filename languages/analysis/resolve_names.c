@@ -193,6 +193,12 @@ static bool defines_anything(know_walk *w, know_index first, know_index scope) {
   return false;
 }
 
+/* Returns whether the scope is that of a whole library, whose exports and bodies share it. */
+static bool is_library(const knowledge *k, know_index scope) {
+  know_index node = k->scopes[scope].node;
+  return k->scopes[scope].kind == KNOW_SCOPE_BODY && node && know_is(k, k->nodes[node].first, "define-library");
+}
+
 static void run(know_walk *w) {
   knowledge *k = w->k;
   flush(w);
@@ -200,8 +206,8 @@ static void run(know_walk *w) {
     know_task t = w->tasks[--w->task_count];
     if (t.kind == KNOW_TASK_BODY) {
       know_index scope = t.scope;
-      if (scope != KNOW_PROGRAM && defines_anything(w, t.node, scope)) scope = know_scope_new(k, scope, KNOW_SCOPE_BODY,
-          k->nodes[t.node].parent);
+      if (scope != KNOW_PROGRAM && !is_library(k, scope) && defines_anything(w, t.node, scope))
+        scope = know_scope_new(k, scope, KNOW_SCOPE_BODY, k->nodes[t.node].parent);
       body(w, t.node, scope);
     } else expression(w, t.node, t.scope);
     flush(w);

@@ -596,7 +596,90 @@ def libraries():
     expect(reasons, "end", c.end(), (0, (b"", b"")))
     return reasons
 
-for test in (answers, findings, actions, colours, lens, runs, pictures, speed, edits, libraries, wrong, hostile):
+# A project: a library, programs that import it in every way, files that load others, and a program with a name of its own.
+PROJECT = {
+    "towers/spire.sld": "; A library.\n(define-library (towers spire)\n  (export spire (rename storey floor) größe)\n  (import (visualscheme))\n  (begin\n    (define größe 3)\n    ; A spire.\n    (define (spire n) (make-box origin 1 1 (* n größe)))\n    (define (storey n) (volume (spire n)))))\n",
+    "main.vs": "; 😀\n(import (visualscheme) (towers spire))\n(display (volume (spire größe)))\n(display (floor 2))\n",
+    "only.vs": "(import (visualscheme)\n        (only (towers spire) spire größe))\n(define (top spire2) spire2)\n(display (list 'spire (top (volume (spire größe)))))\n",
+    "sub/renamed.vs": "(import (visualscheme) (rename (towers spire) (spire tip) (floor flat)))\n(display (volume (tip größe)))\n",
+    "own.vs": "(define (spire n) (* 2 n))\n(define größe 7)\n(display (spire größe))\n",
+    "parts.vs": "(define (part n)\n  (* n 2))\n(define (whole n) (part n))\n",
+    "uses.vs": "(define (uses n) (+ 1 (part n)))\n",
+    "loads.vs": '(load "parts.vs")\n(load "uses.vs")\n(display (list (part 1) (uses 2) (whole 3)))\n',
+}
+
+# The places of a name in the project, as spelled words of files: asked at any of them, the answer is the same.
+PLACES = {
+    "spire": {"towers/spire.sld": 3, "main.vs": 1, "only.vs": 2, "sub/renamed.vs": 2},
+    "größe": {"towers/spire.sld": 3, "main.vs": 1, "only.vs": 2, "sub/renamed.vs": 1},
+    "part": {"parts.vs": 2, "uses.vs": 1, "loads.vs": 1},
+    "storey": {"towers/spire.sld": 2, "main.vs": 1},
+}
+
+def project():
+    reasons, home = [], work / "projekt"
+    def write():
+        for name, text in PROJECT.items(): (home / name).parent.mkdir(parents=True, exist_ok=True); (home / name).write_text(text)
+    def said(): return {name: (lambda d: (d.returncode, d.stdout, d.stderr))(subprocess.run([vs, "-q", "-L", home, name], cwd=home, capture_output=True, text=True)) for name in PROJECT if name.endswith(".vs") and name != "uses.vs"}
+    def client(): return Client(root=home.as_uri(), options={"run": False}, words=("-L", home))
+    write()
+    before = said()
+    for name, (code, out, err) in before.items():
+        if code: reasons.append(f"{name}: {err}")
+    c = client()
+    for name, text in PROJECT.items(): c.open((home / name).as_uri(), text)
+    outline = c.ask("textDocument/documentSymbol", {"textDocument": {"uri": (home / "towers/spire.sld").as_uri()}})
+    expect(reasons, "outline of a library", [o["name"] for o in outline], ["größe", "spire", "storey"])
+    for word, where in PLACES.items():
+        seen = None
+        for name, text in PROJECT.items():
+            if name not in where or name == "uses.vs" or (word == "storey" and name != "towers/spire.sld") or (name == "sub/renamed.vs" and word == "spire"): continue
+            for m in re.finditer(rf"(?<![\w-]){word}(?![\w-])", text):
+                line = text[:m.start()].split("\n")[-1]
+                if "'" + word in text[m.start() - 1:m.end()] or "only (towers" in line or ";" in line or line.endswith("(towers ") or line.endswith("-library (towers "): continue
+                places = c.ask("textDocument/references", {"textDocument": {"uri": (home / name).as_uri()}, "position": position(text, m.start() + 1), "context": {"includeDeclaration": True}})
+                got, found = sorted((p["uri"], p["range"]["start"]["line"], p["range"]["start"]["character"]) for p in places), {}
+                for p in places:
+                    file = urllib.parse.unquote(p["uri"]).removeprefix(f"file://{home}/")
+                    found[file] = found.get(file, 0) + 1
+                    if words(PROJECT[file], p["range"]) not in (word, "tip", "floor"): reasons.append(f"{word}: {file} has {words(PROJECT[file], p['range'])}")
+                if found != where: reasons.append(f"{word} at {name}:{text[:m.start()].count(chr(10)) + 1}: {found}, not {where}")
+                if seen not in (None, got): reasons.append(f"{word} has other places at {name}")
+                seen = got
+    c.end()
+    # After a rename all programs print the same, whichever place it began at; the old name is gone from the files that had it.
+    for word, name, place in (("spire", "main.vs", "(sp^ire"), ("spire", "towers/spire.sld", "(define (sp^ire"), ("spire", "only.vs", "(volume (sp^ire"), ("größe", "towers/spire.sld", "(define grö^ße"), ("größe", "sub/renamed.vs", "(tip grö^ße"),
+                              ("part", "parts.vs", "(define (pa^rt"), ("part", "loads.vs", "(list (pa^rt"), ("storey", "towers/spire.sld", "(define (sto^rey")):
+        write()
+        c = client()
+        text = PROJECT[name]
+        c.open((home / name).as_uri(), text)
+        m = c.ask("textDocument/rename", {"textDocument": {"uri": (home / name).as_uri()}, "position": position(text, text.index(place.replace("^", "")) + place.index("^")), "newName": "turm-😀"}, True)
+        if "error" in m: reasons.append(f"{word} at {name}: {m['error']}"); c.end(); continue
+        for uri, edits in m["result"]["changes"].items():
+            file = home / urllib.parse.unquote(uri).removeprefix(f"file://{home}/")
+            file.write_text(edited(file.read_text(), sorted(edits, key=lambda e: (e["range"]["start"]["line"], e["range"]["start"]["character"]))))
+            expect(reasons, f"{file} is unchanged", file.name == "own.vs", False)
+        if said() != before: reasons.append(f"{word} at {name}: {said()}, not {before}")
+        if not any("turm-😀" in (home / n).read_text() for n in PROJECT): reasons.append(f"{word} at {name}: no file has the new name")
+        expect(reasons, "end", c.end()[0], 0)
+    # Renames that are refused, with the file.
+    write()
+    (home / "prefix.vs").write_text("(import (visualscheme) (prefix (towers spire) t-))\n(display (volume (t-spire 1)))\n")
+    c, main_ = client(), (home / "main.vs").as_uri()
+    c.open(main_, PROJECT["main.vs"])
+    for new, part in (("größe", "already"), ("make-box", "already"), ("top", "already"), ("turm", "prefix"), ("3", "no name"), ("a b", "no name")):
+        m = c.ask("textDocument/rename", {"textDocument": {"uri": main_}, "position": position(PROJECT["main.vs"], PROJECT["main.vs"].index("(spire") + 2), "newName": new}, True)
+        if part not in m.get("error", {}).get("message", ""): reasons.append(f"spire to {new}: {m}")
+    (home / "prefix.vs").unlink()
+    c.open((home / "only.vs").as_uri(), PROJECT["only.vs"])
+    c.change((home / "only.vs").as_uri(), {"text": PROJECT["only.vs"] + "\n"})
+    m = c.ask("textDocument/rename", {"textDocument": {"uri": main_}, "position": position(PROJECT["main.vs"], PROJECT["main.vs"].index("(spire") + 2), "newName": "turm"}, True)
+    if "only.vs is not saved" not in m.get("error", {}).get("message", ""): reasons.append(f"a text that is not saved: {m}")
+    expect(reasons, "end", c.end()[0], 0)
+    return reasons
+
+for test in (answers, findings, actions, colours, lens, runs, pictures, speed, edits, libraries, project, wrong, hostile):
     if only and only not in "lsp/" + test.__name__: continue
     try: result("lsp/" + test.__name__, test())
     except Exception as e: result("lsp/" + test.__name__, [repr(e)])
