@@ -7,9 +7,13 @@
 /* A place of the name. other: whether the file has the name under another spelling, by a prefix or a rename. */
 typedef struct { size_t file; uint32_t from, to; bool other; } lsp_name_place;
 
-/* A file that was searched. open: its document, which the project frees if `owned` is set, or NULL. prefixed: whether it
- * imports the name with a prefix. fresh: whether the new name of a rename has no meaning in the file. */
-typedef struct { char *path; lsp_document *open; bool owned, prefixed, fresh; } lsp_project_file;
+typedef struct {
+  char *path;
+  lsp_document *open;        /* document of the file, or NULL */
+  bool owned;                /* whether the project frees the document, which no editor has open */
+  bool prefixed;             /* whether the file imports the name with a prefix */
+  bool fresh;                /* whether the new name of a rename has no meaning in the file */
+} lsp_project_file;
 
 typedef struct {
   lsp_project_file *files; size_t count, room;
