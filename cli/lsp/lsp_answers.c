@@ -110,8 +110,7 @@ void lsp_hover(lsp_server *s, cli_data parameters) {
 typedef struct {
   lsp_server *s;
   const char *comma;
-  lsp_document *d;
-  lsp_span word;
+  char range[160]; /* place of the prefix, as all items have it */
   knowledge *k;
   vs_scheme *scheme;
 } completion;
@@ -125,9 +124,7 @@ static void put_item(completion *c, const char *name, int kind, const char *deta
   lsp_put(to, detail);
   fputs(",\"documentation\":", to);
   lsp_put(to, doc);
-  fputs(",\"textEdit\":{", to);
-  lsp_put_range(to, "range", c->d->text, c->d->length, c->word);
-  fputs(",\"newText\":", to);
+  fprintf(to, ",\"textEdit\":{%s,\"newText\":", c->range);
   lsp_put(to, name);
   fputs("}}", to);
   c->comma = ",";
@@ -177,7 +174,12 @@ void lsp_completion(lsp_server *s, cli_data parameters) {
   while (from && !lsp_ends_word(d->text[from - 1])) from--;
   char prefix[200];
   snprintf(prefix, sizeof prefix, "%.*s", (int)(to - from), d->text + from);
-  completion c = { s, "", d, { (uint32_t)from, (uint32_t)to }, lsp_document_knowledge(d, s->interpreter), s->language };
+  completion c = { .s = s, .comma = "", .k = lsp_document_knowledge(d, s->interpreter), .scheme = s->language };
+  FILE *range = fmemopen(c.range, sizeof c.range, "w");
+  if (range) {
+    lsp_put_range(range, "range", d->text, d->length, (lsp_span){ (uint32_t)from, (uint32_t)to });
+    fclose(range);
+  }
   fputs("[", s->to);
   if (c.k) complete_symbols(&c, prefix);
   if (c.k) c.scheme = c.k->scheme; /* the analysis has an interpreter with the names of imported libraries */

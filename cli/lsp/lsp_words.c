@@ -73,22 +73,23 @@ void lsp_write_diagnostic(FILE *to, const lsp_document *d, const know_finding *f
   fputc('}', to);
 }
 
-/* Returns the form that begins at the place, or 0. */
-static know_index form_at(const knowledge *k, uint32_t line, uint32_t column) {
-  for (know_index i = 1; i <= k->text_nodes; i++) {
-    const know_node *n = know_at(k, i);
-    if (!n->at.file && !n->made && n->at.line == line && n->at.column == column) return i;
+/* Returns the form that begins at the place, or 0. *from: the node at which the search begins, and then that at which
+ * it ended: a later place needs no earlier node. */
+static know_index form_at(const knowledge *k, know_index *from, uint32_t line, uint32_t column) {
+  for (; *from <= k->text_nodes; ++*from) {
+    const know_place *at = &know_at(k, *from)->at;
+    if (at->file || know_at(k, *from)->made) continue;
+    if (at->line == line && at->column == column) return *from;
+    if (at->line > line || (at->line == line && at->column > column)) return 0;
   }
   return 0;
 }
 
-/* Returns the bytes of the place, up to the end of the form that begins there, and at most to the end of the line if
- * `line` is set. */
-static lsp_span run_span(const lsp_document *d, const lsp_run_message *m, bool line) {
+/* Returns the bytes of the form, or of the place if the form is 0; at most to the end of the line if `line` is set. */
+static lsp_span run_span(const lsp_document *d, const lsp_run_message *m, know_index form, bool line) {
   know_place place = { .line = m->line, .column = m->column };
-  lsp_span span = lsp_place(d->text, d->length, &place);
-  know_index form = d->draft->known ? form_at(&d->draft->k, m->line, m->column) : 0;
-  if (form) span = (lsp_span){ know_at(&d->draft->k, form)->at.from, know_at(&d->draft->k, form)->at.to };
+  lsp_span span = form ? (lsp_span){ know_at(&d->draft->k, form)->at.from, know_at(&d->draft->k, form)->at.to }
+                       : lsp_place(d->text, d->length, &place);
   uint32_t end = span.from + (uint32_t)strcspn(d->text + span.from, "\r\n");
   if (line && span.to > end && end > span.from) span.to = end;
   return span;
@@ -106,11 +107,13 @@ static bool is_found(const lsp_document *d, const lsp_run_message *m) {
 /* Writes the messages of the run after the last save. Of nested forms that the run did not reach, writes the
  * outermost. */
 static void write_run(FILE *to, const lsp_document *d, const char *comma) {
-  uint32_t faded = 0; /* end of the last form that the run did not reach */
+  uint32_t faded = 0;  /* end of the last form that the run did not reach */
+  know_index next = 1; /* forms that the run did not reach come last, in the order of the text */
   for (size_t i = 0; i < d->message_count; i++) {
     const lsp_run_message *m = &d->messages[i];
     bool unreached = m->severity == LSP_UNREACHED;
-    lsp_span span = run_span(d, m, !unreached);
+    know_index first = 1, form = form_at(&d->draft->k, unreached ? &next : &first, m->line, m->column);
+    lsp_span span = run_span(d, m, form, !unreached);
     if (unreached ? span.to <= faded : is_found(d, m)) continue;
     if (unreached) faded = span.to;
     fprintf(to, "%s{", comma);

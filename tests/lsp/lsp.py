@@ -470,6 +470,7 @@ def speed():
     slow = 10 if os.environ.get("SLOW") else 1  # a build with sanitizers
     for name, most, act in (("diagnostics", 0.2, lambda: c.change(uri, {"range": {"start": place, "end": place}, "text": " "})),
                             ("completion", 0.05, lambda: c.ask("textDocument/completion", {"textDocument": {"uri": uri}, "position": {"line": 1, "character": 23 + 7}})),
+                            ("completion of all names", 0.05, lambda: c.ask("textDocument/completion", {"textDocument": {"uri": uri}, "position": {"line": 1, "character": 16}})),
                             ("colours", 0.1, lambda: c.ask("textDocument/semanticTokens/full", {"textDocument": {"uri": uri}}))):
         time_ = spent(act)
         if time_ > most * slow: reasons.append(f"{name} takes {1000 * time_:.0f} ms of processor time, more than {1000 * most:.0f}")
