@@ -67,10 +67,11 @@ static bool mends(remedy *r, const edit *e) {
 
 static void put_action(remedy *r, const char *title, const edit *e) {
   FILE *to = r->s->to;
+  lsp_counted counted = { 0 };
   fprintf(to, "%s{\"title\":", r->comma);
   lsp_put(to, title);
   fprintf(to, ",\"kind\":\"quickfix\",\"isPreferred\":%s,\"diagnostics\":[", r->offered++ ? "false" : "true");
-  lsp_write_diagnostic(to, r->d, r->finding);
+  lsp_write_diagnostic(to, r->d, r->finding, &counted);
   fputs("],\"edit\":{\"changes\":{", to);
   lsp_put(to, r->d->uri);
   fputs(":[{", to);

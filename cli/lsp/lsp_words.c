@@ -25,6 +25,16 @@ void lsp_put_range(FILE *to, const char *key, const char *text, size_t length, l
           (unsigned)a.line, (unsigned)a.character, (unsigned)b.line, (unsigned)b.character);
 }
 
+void lsp_put_next_range(FILE *to, const char *key, const lsp_document *d, lsp_span span, lsp_counted *c) {
+  if (span.from < c->at) *c = (lsp_counted){ 0 };
+  lsp_advance(d->text, d->length, &c->at, span.from > d->length ? d->length : span.from, &c->place);
+  lsp_counted end = *c;
+  lsp_advance(d->text, d->length, &end.at, span.to > d->length ? d->length : span.to, &end.place);
+  fprintf(to, "\"%s\":{\"start\":{\"line\":%u,\"character\":%u},\"end\":{\"line\":%u,\"character\":%u}}", key,
+          (unsigned)c->place.line, (unsigned)c->place.character, (unsigned)end.place.line,
+          (unsigned)end.place.character);
+}
+
 void lsp_put_node_range(FILE *to, const char *key, const knowledge *k, know_index node) {
   const know_place *at = &know_at(k, node)->at;
   lsp_put_range(to, key, k->files[at->file].text, k->files[at->file].size, (lsp_span){ at->from, at->to });
@@ -62,10 +72,9 @@ lsp_span lsp_finding_span(const lsp_document *d, const know_finding *f) {
   return f->at.to > f->at.from ? (lsp_span){ f->at.from, f->at.to } : lsp_place(d->text, d->length, &f->at);
 }
 
-void lsp_write_diagnostic(FILE *to, const lsp_document *d, const know_finding *f) {
+void lsp_write_diagnostic(FILE *to, const lsp_document *d, const know_finding *f, lsp_counted *c) {
   fputc('{', to);
-  lsp_put_range(to, "range", d->text, d->length,
-                f ? lsp_finding_span(d, f) : lsp_place(d->text, d->length, &d->draft->at));
+  lsp_put_next_range(to, "range", d, f ? lsp_finding_span(d, f) : lsp_place(d->text, d->length, &d->draft->at), c);
   fprintf(to, ",\"severity\":%d,\"source\":\"vs\",\"code\":", f ? 2 : 1);
   lsp_put(to, f ? check_names[f->check] : "unreadable");
   fputs(",\"message\":", to);
@@ -107,6 +116,7 @@ static bool is_found(const lsp_document *d, const lsp_run_message *m) {
 /* Writes the messages of the run after the last save. Of nested forms that the run did not reach, writes the
  * outermost. */
 static void write_run(FILE *to, const lsp_document *d, const char *comma) {
+  lsp_counted counted = { 0 };
   uint32_t faded = 0;  /* end of the last form that the run did not reach */
   know_index next = 1; /* forms that the run did not reach come last, in the order of the text */
   for (size_t i = 0; i < d->message_count; i++) {
@@ -117,7 +127,7 @@ static void write_run(FILE *to, const lsp_document *d, const char *comma) {
     if (unreached ? span.to <= faded : is_found(d, m)) continue;
     if (unreached) faded = span.to;
     fprintf(to, "%s{", comma);
-    lsp_put_range(to, "range", d->text, d->length, span);
+    lsp_put_next_range(to, "range", d, span, &counted);
     fprintf(to, ",\"severity\":%d,\"source\":\"vs\",\"code\":\"%s\",%s\"message\":", m->severity,
             unreached ? "did-not-run" : "run", unreached ? "\"tags\":[1]," : "");
     lsp_put(to, m->text);
@@ -128,14 +138,15 @@ static void write_run(FILE *to, const lsp_document *d, const char *comma) {
 
 void lsp_write_diagnostics(FILE *to, lsp_document *d, const vs_options *interpreter) {
   const char *comma = "";
+  lsp_counted counted = { 0 };
   fputc('[', to);
   bool known = !know_reads(d->path) || lsp_document_study(d, interpreter);
-  if (!known) lsp_write_diagnostic(to, d, NULL);
+  if (!known) lsp_write_diagnostic(to, d, NULL, &counted);
   for (size_t i = 0; known && i < d->draft->found.count; i++) {
     const know_finding *f = &d->draft->found.at[i];
     if (f->at.file) continue;
     fputs(comma, to);
-    lsp_write_diagnostic(to, d, f);
+    lsp_write_diagnostic(to, d, f, &counted);
     comma = ",";
   }
   if (known) write_run(to, d, comma);

@@ -468,7 +468,10 @@ def speed():
         for _ in range(10): act()
         return (used() - before) / 10
     slow = 10 if os.environ.get("SLOW") else 1  # a build with sanitizers
-    for name, most, act in (("diagnostics", 0.2, lambda: c.change(uri, {"range": {"start": place, "end": place}, "text": " "})),
+    large = "file:///large.vs"
+    found = c.open(large, "".join(f"(define (f{i} a)\n  (if (> a {i})\n      (make-box origin (+ a 1) (* a 2) 1)\n      (make-sphere (xyz a a {i}) 1)))\n" for i in range(1000)) + "(draw (make-box origin 1 1 1))\n")
+    expect(reasons, "findings of a large text", len(found), 1000)
+    for name, most, act in (("1000 diagnostics in 4000 lines", 0.5, lambda: c.change(large, {"range": {"start": place, "end": place}, "text": " "})), ("diagnostics", 0.2, lambda: c.change(uri, {"range": {"start": place, "end": place}, "text": " "})),
                             ("completion", 0.05, lambda: c.ask("textDocument/completion", {"textDocument": {"uri": uri}, "position": {"line": 1, "character": 23 + 7}})),
                             ("completion of all names", 0.05, lambda: c.ask("textDocument/completion", {"textDocument": {"uri": uri}, "position": {"line": 1, "character": 16}})),
                             ("colours", 0.1, lambda: c.ask("textDocument/semanticTokens/full", {"textDocument": {"uri": uri}}))):
