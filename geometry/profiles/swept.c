@@ -132,15 +132,24 @@ static vs_vec3 swept_lean(const vs_path_point *p, vs_vec3 way) {
   return vs_v3_sub(vs_v3_scale(m, 1 / vs_v3_dot(way, m)), way);
 }
 
-/* Returns the lean (inclination vector) of the section at the fraction t, 0 < t < 1, between the path points p and q.
- * It decreases with the distance from the corners, so that sections near a corner do not pass the mitre on its inner
+/* The leans (inclination vectors) between two points of a path: a at its beginning, b at its end. They decrease to 0
+ * within the shares `from` and `to` of the distance. Thus sections near a corner do not pass the mitre on its inner
  * side. */
-static vs_vec3 swept_lean_between(const vs_path_point *p, const vs_path_point *q, double t, double reach) {
-  vs_vec3 a = swept_lean(p, p->leaving), b = swept_lean(q, q->arriving);
-  double length = vs_v3_length(vs_v3_sub(q->at, p->at)), from = 2 * reach * vs_v3_length(a) / length,
-         to = 2 * reach * vs_v3_length(b) / length;
-  if (from + to > 1) from = to = 1;
-  return vs_v3_add(vs_v3_scale(a, t < from ? 1 - t / from : 0), vs_v3_scale(b, 1 - t < to ? 1 - (1 - t) / to : 0));
+typedef struct { vs_vec3 a, b; double length, from, to; } swept_leans;
+
+static swept_leans swept_leans_of(const vs_path_point *p, const vs_path_point *q, double reach) {
+  double length = vs_v3_length(vs_v3_sub(q->at, p->at));
+  swept_leans l = { swept_lean(p, p->leaving), swept_lean(q, q->arriving), length, 0, 0 };
+  l.from = 2 * reach * vs_v3_length(l.a) / l.length;
+  l.to = 2 * reach * vs_v3_length(l.b) / l.length;
+  if (l.from + l.to > 1) l.from = l.to = 1;
+  return l;
+}
+
+/* Returns the lean of the section at the fraction t, 0 < t < 1. */
+static vs_vec3 swept_lean_at(const swept_leans *l, double t) {
+  return vs_v3_add(vs_v3_scale(l->a, t < l->from ? 1 - t / l->from : 0),
+                   vs_v3_scale(l->b, 1 - t < l->to ? 1 - (1 - t) / l->to : 0));
 }
 
 /* Returns the section at point p of the path. `x`: first direction of the profile before it is turned by `angle` and
@@ -283,10 +292,27 @@ static size_t swept_steps(const vs_path *path, size_t stretches, const vs_uprigh
   return count;
 }
 
+/* Returns vs_twist.lean for the first `stretches` stretches of a path. reach: as for swept_leans_of; twist: in
+ * radians. */
+static double swept_lean_change(const vs_path *path, size_t stretches, const swept_way *way, double twist, double reach,
+                                const vs_fineness *f) {
+  double most = 0;
+  for (size_t i = 0; i < stretches; i++) {
+    double angle;
+    size_t steps = swept_stretch_of(path, i, way->upright, twist, f, &angle).steps;
+    swept_leans l = swept_leans_of(&path->at[i], &path->at[i + 1 < path->count ? i + 1 : 0], reach);
+    double a = vs_v3_length(l.a), b = vs_v3_length(l.b), step = 1 / (double)steps,
+           change = l.from == 1 && l.to == 1 ? vs_v3_length(vs_v3_sub(l.a, l.b))
+                                             : fmax(a / fmax(l.from, step), b / fmax(l.to, step));
+    if (l.length > 0) most = fmax(most, (2 * change + fmax(a, b) * angle / step) / l.length);
+  }
+  return most;
+}
+
 /* Returns how often each of the `count` coarse steps must be halved for the tolerance; less often if there would be too
  * many points. */
 static int swept_halvings(const vs_swept *s, const vs_twist *turning, size_t count, const vs_fineness *f) {
-  int n = vs_twist_halvings(f, turning->step, turning->reach * fmax(1, fabs(turning->scale)));
+  int n = vs_twist_halvings(f, turning->step, vs_twist_reach(turning, turning->reach));
   while (n > 0 && ldexp((double)count * (double)s->profile_count, n) > VS_SWEPT_POINTS_MOST) n--;
   return n;
 }
@@ -363,17 +389,18 @@ static bool swept_along(vs_swept *s, vs_path *path, const swept_way *way, const 
   swept_stance *stance = NULL; /* stance[i]: how the profile is placed at point i of the path `fine` */
   size_t stances = 0;
   bool ok = true;
-  double zone = reach * fmax(1, fabs(scale)), rest = twist - full_turn * nearbyint(twist / full_turn), closing = 0;
+  double zone = vs_twist_lean_reach(path->length, reach * fmax(1, fabs(scale))), closing = 0,
+         rest = twist - full_turn * nearbyint(twist / full_turn);
   bool meets = path->closed && scale == 1, joins = meets && fabs(rest) < 1e-9;
   if (meets && !upright) ok = swept_closing(path, way->x, &closing);
   size_t stretches = path->closed ? path->count : path->count - 1;
   vs_twist turning = { .scale = scale, .base = base, .reach = reach, .turn = fabs(twist + closing) };
   size_t count = swept_steps(path, ok ? stretches : 0, upright, twist + closing, f, &turning.step);
+  if (ok && turning.step > 0) turning.lean = swept_lean_change(path, stretches, way, twist + closing, zone, f);
   int halvings = ok ? swept_halvings(s, &turning, count, f) : 0;
   size_t parts = (size_t)1 << halvings;
   if (s->dense) vs_twist_rows(s, &turning, f);
   if (s->dense) parts = vs_twist_parts(&turning, count, f);
-  else if (f->segments <= 0 && turning.step > 0) zone = vs_twist_reach(f, turning.step, halvings);
   ok = ok && vs_twist_divide(s, &turning, f);
   for (size_t i = 0; i < path->count; i++) meets = meets && !swept_turns_back(&path->at[i]);
   if (ok && meets && !joins && s->filled) ok = swept_seam(s, base, rest, reach);
@@ -392,12 +419,13 @@ static bool swept_along(vs_swept *s, vs_path *path, const swept_way *way, const 
     double spin = stretch.spin;
     ok = vs_path_add(&fine, p->at, p->arriving, p->leaving) && VS_GROW(stance, stances, fine.count + steps);
     if (ok) stance[fine.count - 1] = (swept_stance){ swept_lean(p, p->leaving), 0, spin / (double)steps };
+    swept_leans leans = swept_leans_of(p, q, zone);
     for (size_t k = 1; ok && k < steps; k++) {
       double t = (double)k / (double)steps;
       vs_vec3 d = vs_v3_unit(vs_v3_add(vs_v3_scale(p->leaving, 1 - t), vs_v3_scale(q->arriving, t)));
       ok = vs_path_add(&fine, vs_v3_add(p->at, vs_v3_scale(step, t)), d, d);
       if (ok) stance[fine.count - 1] =
-        (swept_stance){ swept_lean_between(p, q, t, zone), spin * t, spin * (double)(k + 1) / (double)steps };
+        (swept_stance){ swept_lean_at(&leans, t), spin * t, spin * (double)(k + 1) / (double)steps };
     }
   }
   const vs_path_point *last = path->closed ? &path->at[0] : &path->at[path->count - 1];

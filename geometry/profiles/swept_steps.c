@@ -38,11 +38,6 @@ int vs_twist_halvings(const vs_fineness *f, double step, double r) {
   return n;
 }
 
-double vs_twist_reach(const vs_fineness *f, double step, int halvings) {
-  VS_ASSERT(step > 0);
-  return f->tolerance / (1 - cos(fmax(ldexp(step, -halvings), 1e-6) / 2));
-}
-
 /* Divides the edge from point i of the profile to the next point into pieces[i] equal pieces, for all i. Returns false
  * when memory is out. */
 static bool split(vs_swept *s, const size_t *pieces) {
@@ -71,21 +66,34 @@ static bool split(vs_swept *s, const size_t *pieces) {
   return true;
 }
 
+double vs_twist_lean_reach(double length, double reach) {
+  int power;
+  if (!(length > 0) || !(reach > 0)) return reach;
+  frexp(reach / length * (1 - 1e-9), &power);
+  return ldexp(length, power + (power & 1));
+}
+
+double vs_twist_reach(const vs_twist *way, double r) {
+  double wide = r * fmax(1, fabs(way->scale));
+  return wide * (1 + wide * way->lean);
+}
+
 void vs_twist_rows(const vs_swept *s, vs_twist *way, const vs_fineness *f) {
-  double widest = fmax(1, fabs(way->scale)), longest = 0, most = VS_STEPS_MOST;
+  double far = vs_twist_reach(way, way->reach), longest = 0, most = VS_STEPS_MOST;
   for (size_t l = 0, first = 0; l < s->loop_count; first += s->sizes[l], l++)
     for (size_t i = 0; i + !s->filled < s->sizes[l]; i++) {
       vs_vec2 p = s->profile[first + i], q = s->profile[first + (i + 1) % s->sizes[l]];
       longest = fmax(longest, hypot(q.x - p.x, q.y - p.y));
     }
   if (s->profile_count) most = fmin(most, VS_SWEPT_POINTS_MOST / (double)s->profile_count);
-  double turn = way->turn / full_turn * vs_fineness_turn(f, way->reach * widest, 0),
+  double turn = way->turn / full_turn * vs_fineness_turn(f, far, 0),
+         widest = way->reach > 0 ? far / way->reach : 1,
          rows = fmax(turn, sqrt(way->turn * widest * longest / (4 * f->tolerance)));
   way->rows = vs_steps_count(fmin(rows, most), VS_STEPS_MOST);
 }
 
 size_t vs_twist_parts(const vs_twist *way, size_t count, const vs_fineness *f) {
-  double turn = way->step / full_turn * vs_fineness_turn(f, way->reach * fmax(1, fabs(way->scale)), 0),
+  double turn = way->step / full_turn * vs_fineness_turn(f, vs_twist_reach(way, way->reach), 0),
          even = (double)way->rows / (double)(count ? count : 1);
   VS_ASSERT(way->rows);
   return vs_steps_count(fmax(turn, even), VS_STEPS_MOST);
@@ -101,12 +109,13 @@ static double distance_of(vs_vec2 base, vs_vec2 p, vs_vec2 q) {
 /* Sets pieces[i] to the number of pieces into which the edge from point i of the profile to the next is divided. */
 static void divide_edges(const vs_swept *s, const vs_twist *way, const vs_fineness *f, size_t *pieces) {
   enum { MOST = 2000 };
-  double widest = fmax(1, fabs(way->scale));
   for (size_t l = 0, first = 0; l < s->loop_count; first += s->sizes[l], l++)
     for (size_t i = 0; i < s->sizes[l]; i++) {
       vs_vec2 p = s->profile[first + i], q = s->profile[first + (i + 1) % s->sizes[l]];
-      int halvings = vs_twist_halvings(f, way->step, distance_of(way->base, p, q) * widest);
-      double step = way->rows ? way->turn / (double)way->rows : ldexp(way->step, -halvings),
+      int halvings = vs_twist_halvings(f, way->step, vs_twist_reach(way, distance_of(way->base, p, q)));
+      double far = fmax(hypot(p.x - way->base.x, p.y - way->base.y), hypot(q.x - way->base.x, q.y - way->base.y)),
+             widest = far > 0 ? vs_twist_reach(way, far) / far : 1,
+             step = way->rows ? way->turn / (double)way->rows : ldexp(way->step, -halvings),
              saddle = step * widest * hypot(q.x - p.x, q.y - p.y) / 4;
       pieces[first + i] = vs_steps_count(saddle / f->tolerance, MOST);
     }
@@ -123,13 +132,12 @@ bool vs_twist_divide(vs_swept *s, const vs_twist *way, const vs_fineness *f) {
 }
 
 bool vs_twist_strides(vs_swept *s, const vs_twist *way, int halvings, const vs_fineness *f) {
-  double widest = fmax(1, fabs(way->scale));
   free(s->stride);
   s->stride = NULL;
   if (!halvings || !VS_FRESH(s->stride, s->profile_count)) return !halvings;
   for (size_t i = 0; i < s->profile_count; i++) {
     double r = hypot(s->profile[i].x - way->base.x, s->profile[i].y - way->base.y);
-    int own = vs_twist_halvings(f, way->step, r * widest);
+    int own = vs_twist_halvings(f, way->step, vs_twist_reach(way, r));
     s->stride[i] = (size_t)1 << (own < halvings ? halvings - own : 0);
   }
   return true;

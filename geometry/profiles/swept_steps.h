@@ -15,6 +15,8 @@ typedef struct {
   double reach; /* greatest distance of the profile's points from the base */
   double turn;  /* rotation along the whole path in radians, >= 0, without that of an upright profile */
   double step;  /* greatest rotation in radians in a coarse step of the path (a step before any halving) */
+  double lean;  /* greatest change of the sections' inclination along the path, in 1 / unit; 0 without corners. It moves
+                 * points along the path, and thus away from a twisted wall. */
   size_t rows;  /* number of steps of the whole path by which all edges are divided; 0: each edge is divided by the
                  * steps of its own points */
 } vs_twist;
@@ -26,9 +28,13 @@ size_t vs_twist_coarse(const vs_fineness *f, double angle);
 /* Returns how often coarse steps must be halved, so that a point at the distance r from the base stays within the
  * tolerance. */
 int vs_twist_halvings(const vs_fineness *f, double step, double r);
-/* Returns the greatest distance from the base for which the given number of halvings of a coarse step suffices. step >
- * 0. */
-double vs_twist_reach(const vs_fineness *f, double step, int halvings);
+/* Returns the reach by which the inclination at corners decreases along a path of this length: the least of
+ * length * 4^n, n an integer, that is not below the profile's own reach. Profiles of similar reach are thus inclined
+ * equally. The tolerance does not change the solid. */
+double vs_twist_lean_reach(double length, double reach);
+/* Returns the distance from the base that determines the steps of a point at the distance r: greater than r near
+ * corners, where twisted walls bend more. */
+double vs_twist_reach(const vs_twist *twist, double r);
 /* Sets twist->rows, the number of steps by which all edges are divided, to about the number of pieces of the longest
  * edge. */
 void vs_twist_rows(const vs_swept *s, vs_twist *twist, const vs_fineness *f);

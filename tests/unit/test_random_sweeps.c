@@ -84,9 +84,9 @@ static vs_node *profile(vs_store *s, dice *d, double r) {
   }
 }
 
-static vs_node *path(vs_store *s, dice *d) {
+static vs_node *path(vs_store *s, dice *d, bool corners) {
   vs_vec3 at[8];
-  int n = 3 + any(d, 4), which = any(d, 6);
+  int n = 3 + any(d, 4), which = corners ? 2 : any(d, 6);
   bool flat = any(d, 3) == 0;
   if (which == 0) return NODE(circle, CIRCLE, { 0, 0, 0 }, between(d, .2, 2), 0);
   if (which == 1) return NODE(arc, ARC, { 0, 0, 0 }, between(d, .2, 2), 0, between(d, 1, 6), 0);
@@ -100,13 +100,15 @@ static vs_node *path(vs_store *s, dice *d) {
   return through(s, which == 2 ? VS_LINE : VS_SPLINE, at, (size_t)n, any(d, 4) == 0);
 }
 
-static vs_node *sweep(vs_store *s, uint64_t seed) {
+/* corners: true for a line with corners as path, and a profile that turns */
+static vs_node *sweep(vs_store *s, uint64_t seed, bool corners) {
   dice d = { seed * 7919 };
   struct vs_sweep data = { .scale = any(&d, 3) ? 1 : between(&d, 0, 2), .twist = any(&d, 2) ? 0 : any(&d, 4) ? between(&d, -6, 6) : pi / 2 * any(&d, 5) };
+  if (corners) data.twist = between(&d, 1, 6);
   double r = between(&d, 0, 1);
   r = .05 + r * r * 1.2; /* squares the random number, so that thin profiles are frequent */
   vs_ref children[2] = { { profile(s, &d, r), NULL }, { NULL, NULL } };
-  children[1].node = path(s, &d);
+  children[1].node = path(s, &d, corners);
   if (any(&d, 6) == 0) data.has_base = true, data.base = vs_v3(between(&d, -r, r), between(&d, -r, r), 0);
   vs_node *n = vs_node_new(s, VS_SWEEP, &data, children, 2);
   for (int i = 0; i < 2; i++) vs_node_release(children[i].node);
@@ -141,8 +143,8 @@ static double from_surface(const vs_mesh *m, vs_vec3 p) {
 /* ---- test of a sweep ---- */
 
 /* most: limit of triangles above which a sweep is skipped; 0: no limit. The other integers count sweeps or points.
- * furthest: distance of a wrong point from the surface, the largest of all */
-typedef struct { size_t most, sweeps, overlapping, points, inside, met, refused, wrong; double furthest; } tally;
+ * furthest: distance of a wrong point from the surface, the largest of all. corners: as for sweep() */
+typedef struct { bool corners; size_t most, sweeps, overlapping, points, inside, met, refused, wrong; double furthest; } tally;
 
 /* Returns the number of triangles that intersect after their coordinates are rounded to the number format `numbers`. */
 static size_t met(const vs_mesh *m, vs_numbers numbers) {
@@ -185,7 +187,7 @@ static size_t triangles(const vs_node *n, const vs_fineness *f) {
 static void look(vs_store *s, uint64_t seed, tally *t, char why[600]) {
   double begun = now();
   vs_error e = { 0 };
-  vs_node *n = sweep(s, seed);
+  vs_node *n = sweep(s, seed, t->corners);
   vs_ref ref = { n, NULL };
   vs_bounds b;
   vs_solid solid;
@@ -238,31 +240,44 @@ static void look(vs_store *s, uint64_t seed, tally *t, char why[600]) {
   vs_node_release(n);
 }
 
-static void sweeps_are_where_the_profile_was(void **state) {
-  (void)state;
-  seed_range seeds = seeds_asked(55, 2000);
-  tally t = { .most = seeds.whole ? 0 : 6000 };
+static void look_at_all(seed_range seeds, tally *t) {
   for (uint64_t seed = seeds.from; seed <= seeds.to; seed++) {
     char why[600];
     vs_store *s = vs_store_new(NULL, NULL);
     vs_cache *cache = vs_cache_new(s, (size_t)1 << 28); /* a cache for the mesh, because the measurement requests the
                                                          * mesh a second time */
     assert_non_null(cache);
-    look(s, seed, &t, why);
-    if (why[0]) t.wrong++, fprintf(stderr, "sweep %llu: %s\n", (unsigned long long)seed, why);
+    look(s, seed, t, why);
+    if (why[0]) t->wrong++, fprintf(stderr, "sweep %llu: %s\n", (unsigned long long)seed, why);
     vs_cache_free(cache);
     vs_store_release(s);
   }
   if (getenv("TELL"))
-    fprintf(stderr, "%zu sweeps, %zu overlap, %zu of %zu points inside, the furthest wrong one %.3g tolerances away; %zu wrong, %zu refused, %zu meet\n", t.sweeps, t.overlapping, t.inside, t.points,
-            t.furthest, t.wrong, t.refused, t.met);
-  assert_int_equal(t.wrong, 0);
+    fprintf(stderr, "%zu sweeps, %zu overlap, %zu of %zu points inside, the furthest wrong one %.3g tolerances away; %zu wrong, %zu refused, %zu meet\n", t->sweeps, t->overlapping, t->inside,
+            t->points, t->furthest, t->wrong, t->refused, t->met);
+  assert_int_equal(t->wrong, 0);
+}
+
+static void sweeps_are_where_the_profile_was(void **state) {
+  (void)state;
+  seed_range seeds = seeds_asked(55, 2000);
+  tally t = { .most = seeds.whole ? 0 : 6000 };
+  look_at_all(seeds, &t);
   assert_true(t.refused * 20 <= t.overlapping || seeds.to - seeds.from < 20);
   /* checks that the run has tested enough sweeps and points; fewer small sweeps overlap */
   if (seeds.to - seeds.from > 20) assert_true(t.overlapping * (seeds.whole ? 3 : 4) > t.sweeps && t.inside * 40 > t.points);
 }
 
+static void twisted_sweeps_with_corners_do_not_depend_on_the_tolerance(void **state) {
+  (void)state;
+  seed_range seeds = seeds_asked(60, 600);
+  tally t = { .corners = true, .most = 4000 };
+  if (seeds.asked) return; /* these are seeds of sweeps along any path */
+  look_at_all(seeds, &t);
+  assert_true(t.sweeps >= 20);
+}
+
 int main(void) {
-  const struct CMUnitTest tests[] = { cmocka_unit_test(sweeps_are_where_the_profile_was) };
+  const struct CMUnitTest tests[] = { cmocka_unit_test(sweeps_are_where_the_profile_was), cmocka_unit_test(twisted_sweeps_with_corners_do_not_depend_on_the_tolerance) };
   return cmocka_run_group_tests_name("random sweeps", tests, NULL, NULL);
 }
