@@ -43,7 +43,7 @@ void cli_nearby_offer(cli_nearby *n, const char *name) {
   }
 }
 
-static bool is_program(const char *name) {
+bool cli_nearby_is_program(const char *name) {
   const char *dot = strrchr(name, '.');
   return dot && dot > name &&
          (!strcmp(dot, ".vs") || !strcmp(dot, ".js") || !strcmp(dot, ".lsp") || !strcmp(dot, ".gml"));
@@ -54,7 +54,7 @@ bool cli_nearby_program(const char *path, char *room, size_t size) {
   int folder = slash ? (int)(slash + 1 - path) : 0;
   bool bare = !strchr(name, '.');
   char near[LONGEST + 1] = "";
-  if (!*name || (!bare && !is_program(name)) || strlen(path) >= size) return false;
+  if (!*name || (!bare && !cli_nearby_is_program(name)) || strlen(path) >= size) return false;
   snprintf(room, size, "%.*s.", folder, path);
   DIR *d = opendir(room);
   if (!d) return false;
@@ -63,7 +63,7 @@ bool cli_nearby_program(const char *path, char *room, size_t size) {
   cli_nearby n = { .wanted = name, .distance = smaller(length / 3 + 1, 3) };
   for (struct dirent *e; (e = readdir(d));) {
     const char *found = e->d_name;
-    if (!is_program(found) || strlen(found) > LONGEST) continue;
+    if (!cli_nearby_is_program(found) || strlen(found) > LONGEST) continue;
     if (bare) n.best = !strncmp(found, name, length) && found + length == strrchr(found, '.') ? found : NULL;
     else cli_nearby_offer(&n, found);
     if (n.best == found) strcpy(near, found);

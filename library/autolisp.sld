@@ -13,7 +13,7 @@
           :+cyl :+esf :+sph :cx :cy :cz
           :getpoint :getcorner :getreal :getdist :getint :getangle :getorient :getkword :getstring :initget
           :logand :logior :~ :graphscr :textscr :redraw :vl-load-com :entmake
-          :command :vl-cmdf :entlast :entdel :ssget :ssadd :sslength :ssname :getvar :setvar :cut-cone :box2 :erase-all
+          :command :vl-cmdf :entlast :entget :entdel :ssget :ssadd :sslength :ssname :getvar :setvar :cut-cone :box2 :erase-all
           :zoom-extents)
   (import (visualscheme))
   (include "autolisp/forms.scm")

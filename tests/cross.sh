@@ -5,6 +5,7 @@
 #   closed        volume, area, length, bounding box and contains? against the table's closed forms
 #   mesh          the written mesh: closed, and with the volume of the closed form
 #   tree          the tree dump equals the golden tests/cross/shapes.tree, and reads back as the same tree
+#   autolisp      the mesh of our .lsp, read back, against the closed forms
 #   openscad      OpenSCAD's mesh of our .scad against ours
 #   povray, x3d   silhouettes of our .pov in POV-Ray and of our page's X3D in Chromium against our mesh
 #
@@ -123,6 +124,12 @@ for variant in $variants; do
   limited 120 "$vs" --quiet $sheet -D variant=$variant -o "$work/sheet.tree" > "$work/said" 2>&1 || cat "$work/said" >> "$work/why"
   "$tools/reread" "$work/sheet.tree" 2>> "$work/why" || echo "reading back failed" >> "$work/why"
   result cross/tree:$variant "$work/why"
+
+  # ---- AutoLISP: our program, which our own front end reads back, against the closed forms ----
+  limited 200 "$vs" --quiet --segments 128 $sheet -D variant=$variant -o "$work/sheet.lsp" > "$work/said" 2>&1 &&
+    limited 200 "$vs" --quiet --segments 128 "$work/sheet.lsp" -o "$work/back.stl" > "$work/said" 2>&1
+  if [ $? = 0 ]; then "$tools/sheetmesh" "$table" "$work/back.stl" | sed 's|cross/mesh|cross/autolisp|'
+  else result cross/autolisp:$variant "$work/said"; fi
 
   # ---- OpenSCAD: a run for each shape, because it unites all shapes of a file, slowly; several runs at a time ----
   if command -v openscad > /dev/null; then

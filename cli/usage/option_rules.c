@@ -184,7 +184,7 @@ static bool words_fit(const cli_options *o, unsigned takes, const char *first) {
   for (size_t i = 0; !(takes & (CLI_TAKES_PICTURE | CLI_TAKES_SCAN | CLI_TAKES_WORDS)) && i < o->source_count; i++) {
     const char *path = o->sources[i].text;
     const vs_format_info *f = o->sources[i].kind == CLI_SOURCE_FILE && strchr(path, '.') ? vs_format_find(path) : NULL;
-    if (!f) continue;
+    if (!f || cli_nearby_is_program(path)) continue;
     fprintf(stderr, "vs: %s is a name for an output, not a program; write -o before it: vs", path);
     size_t programs = 0;
     for (size_t k = 0; k < o->source_count; k++)

@@ -148,6 +148,20 @@
   (define (real code) (need-number 'entmake (field code)))
   (define vertices
     (map (lambda (f) (need-point 'entmake (cdr f))) (filter (lambda (f) (and (pair? f) (eqv? (car f) 10))) all)))
+  ; The groups 93, count, and 90, an item each, are the faces of a mesh: the count of corners, then their numbers from 0.
+  (define (faces)
+    (define (refuse-face) (error 'entmake "a face of a mesh needs at least 3 corners"))
+    (define (face l left corners made)
+      (cond ((= left 0) (all-faces l (cons (reverse corners) made)))
+            ((null? l) (refuse-face))
+            (else (face (cdr l) (- left 1) (cons (+ 1 (need-whole 'entmake (car l))) corners) made))))
+    (define (all-faces l made)
+      (cond ((null? l) (reverse made))
+            ((and (exact-integer? (car l)) (>= (car l) 3)) (face (cdr l) (car l) '() made))
+            (else (refuse-face))))
+    (all-faces (map cdr (take-at-most (need-whole 'entmake (field 93)) (groups 90))) '()))
+  (define (groups code) (filter (lambda (f) (and (pair? f) (eqv? (car f) code))) all))
+  (define (take-at-most n l) (take l (max 0 (min n (length l)))))
   (define object
     (case (string->symbol (string-upcase (need-string 'entmake (field 0))))
       ((LINE) (make-line (point 10) (point 11)))
@@ -155,7 +169,8 @@
       ((ARC) (let ((a (real 50)) (b (real 51))) (make-arc (point 10) (real 40) a (if (<= b a) (+ b 2pi) b))))
       ((3DFACE) (make-3dface (point 10) (point 11) (point 12) (need-point 'entmake (given 13 (field 12)))))
       ((LWPOLYLINE) (path vertices (odd? (need-whole 'entmake (given 70 0)))))
-      (else (error 'entmake "LINE, CIRCLE, ARC, 3DFACE or LWPOLYLINE is needed, got ~a" (shown (field 0))))))
+      ((MESH) (make-polyface-mesh vertices (faces)))
+      (else (error 'entmake "LINE, CIRCLE, ARC, 3DFACE, LWPOLYLINE or MESH is needed, got ~a" (shown (field 0))))))
   (let ((before current-layer))
     (set! current-layer (need-string 'entmake (given 8 current-layer)))
     (made! object)
@@ -190,6 +205,38 @@
 (define-command '("COLOR" "COLOUR" "COL")
   (asks "a colour, a name or a number from 1 to 7" as-color (lambda (c) (set! current-color c) #f)
     (option "BYLayer" (set! current-color #f) #f)))
+
+; ---- properties of objects, and conversions ----
+
+; Returns the colour of a text "red,green,blue", whose numbers are 0 to 255, or #f.
+(define (as-true-color v)
+  (define (byte? n) (and (exact-integer? n) (<= 0 n 255)))
+  (define (hex n) (string-append (if (< n 16) "0" "") (number->string n 16)))
+  (let ((parts (if (string? v) (map string->number (string-split v ",")) '())))
+    (and (= (length parts) 3) (every byte? parts) (apply string-append "#" (map hex parts)))))
+(define-command '("CHPROP")
+  (asks-objects
+    (lambda (l)
+      (define (each set! v) (for-each (lambda (e) (set! e v)) l) (property))
+      (define (paint c) (each set-entity-color! c))
+      (define (property)
+        (asks "a property" (lambda (v) #f) (lambda (v) #f)
+          (option "Color"
+            (asks "a colour, a name or a number from 1 to 7" as-color paint
+              (option "Truecolor" (asks "three numbers, red,green,blue" as-true-color paint))
+              (option "BYLayer" (paint #f))))
+          (option "LAyer" (asks "a layer's name" as-text (lambda (n) (each set-entity-layer! n))))
+          (option "" #f)))
+      (property))))
+; Meshes are solids here if they are closed.
+(define-command '("CONVTOSOLID")
+  (asks-objects
+    (lambda (l)
+      (for-each (lambda (e) (if (not (solid? (entity-object e))) (error 'command "CONVTOSOLID needs closed meshes"))) l)
+      #f)))
+; The coordinates of the user stay those of the world.
+(define-command '("UCS")
+  (asks "World or Previous" (lambda (v) #f) (lambda (v) #f) (option "World" #f) (option "Previous" #f) (option "" #f)))
 
 ; ---- commands that change only the view: their answers, up to the end of the call, are ignored ----
 

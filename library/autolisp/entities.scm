@@ -24,6 +24,11 @@
 (define (live-entities) (reverse (filter entity-live? entities)))
 
 (define (:entlast) (or (newest) '()))
+; Returns the groups of an entity that AutoCAD's entget has here, too, or nil for an erased entity.
+(define (:entget e)
+  (cond ((not (entity? e)) (refuse 'entget "an entity" e))
+        ((entity-live? e) (list (cons -1 e) (cons 8 (entity-layer e))))
+        (else '())))
 (define (:entdel e) (if (entity? e) (begin (set-entity-live! e (not (entity-live? e))) e) (refuse 'entdel "an entity" e)))
 (define (:ssget . how)
   (let* ((mode (if (and (pair? how) (string? (car how))) (string-upcase (name-of (car how))) #f))

@@ -30,7 +30,7 @@ said() { if grep -a -q -e "$1" "$work/looks.words"; then printf ' | yes'; else p
 echo
 echo '| ending | colours | names of materials | layers | units |'
 echo '|---|---|---|---|---|'
-for format in pov scad x3d html glb usda ifc 3mf obj ply off stl tree; do
+for format in pov scad lsp x3d html glb usda ifc 3mf obj ply off stl tree; do
   rm -f "$work"/looks.[!v]*
   "$vs" --quiet "$work/looks.vs" -o "$work/looks.$format"
   case $format in
@@ -40,7 +40,7 @@ for format in pov scad x3d html glb usda ifc 3mf obj ply off stl tree; do
     *) cp "$work/looks.$format" "$work/looks.words" ;;
   esac
   printf '| `.%s`' $format
-  said 'rgb <\|color(\|diffuseColor=\|baseColorFactor\|olor="#\|^Kd\|property uchar red\|0\.501960784314 0\.25\|baseColor\|inputs:diffuseColor\|IFCCOLOURRGB'
+  said 'rgb <\|color(\|vs:color)\|diffuseColor=\|baseColorFactor\|olor="#\|^Kd\|property uchar red\|0\.501960784314 0\.25\|baseColor\|inputs:diffuseColor\|IFCCOLOURRGB'
   said 'oak'
   said 'walls'
   said '[^a-z]mm\($\|[^a-z]\)\|millimeter\|"scale":\[0.001\|metersPerUnit = 0.001\|MILLI'
@@ -83,6 +83,8 @@ warns of omitted shapes, but not of colours and names that a format cannot hold.
   `.obj`, `.ply` and `.off` also contain regions and open surfaces, as open faces; `.obj` and `.ply` contain curves, as
   lines.
 - [Drawings](drawings.md) (`.svg .pdf .dxf`) show solids, surfaces and curves by their lines.
+- `.lsp` programs hold boxes, wedges, spheres, cylinders, cones, tori and vertical prisms as commands, booleans as
+  booleans, and all other solids as meshes that AutoCAD converts; `vs` omits curves, regions and surfaces, and warns.
 - `.tree` files contain all kinds.
 - `--up y` turns `.obj`, `.ply`, `.stl`, `.off`, `.usda` and `--format dxf-3d`, so that Y points upwards.
 - `--units mm` converts lengths in `.stl`, `.obj`, `.ply`, `.off`, `.3mf`, `.usda`, `.dxf` and `--format dxf-3d`:
