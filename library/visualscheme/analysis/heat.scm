@@ -28,6 +28,12 @@
 (define (gain-use ratio a)
   (cond ((<= ratio 0) 1) ((near? ratio 1 1e-9) (/ a (+ a 1))) (else (/ (- 1 (expt ratio a)) (- 1 (expt ratio (+ a 1)))))))
 
+(define (need-surface who s)
+  (if (not (and (list? s) (<= 2 (length s) 3) (every (lambda (x) (and (real? x) (>= x 0))) s)))
+      (error who "a surface must be (list area u-value) or (list area u-value factor), got ~s" s)))
+; Returns the loss through surfaces in W/K.
+(define (transmission-of surfaces) (fold (lambda (s sum) (+ sum (* (first s) (second s) (if (pair? (cddr s)) (third s) 1)))) 0 surfaces))
+
 ; surfaces: lists of area, U and, for an unheated side, a factor; windows: lists of area, g and the irradiation on their plane
 ; in each month, in kWh/m2
 (define (heat-balance #:surfaces [surfaces any? '()] #:windows [windows any? '()] #:volume [volume any? 0] #:air-changes [changes any? 0.5] #:outside [outside any? #f]
@@ -37,14 +43,12 @@
   (for-each (lambda (name x) (if (not (and (real? x) (finite? x) (>= x 0))) (error 'heat-balance "~a must be a number of 0 or more, got ~s" name x)))
     '(volume air-changes internal capacity) (list volume changes internal capacity))
   (for-each (lambda (name l) (if (not (list? l)) (error 'heat-balance "~a must be a list, got ~s" name l))) '(surfaces windows) (list surfaces windows))
-  (for-each (lambda (s) (if (not (and (list? s) (<= 2 (length s) 3) (every (lambda (x) (and (real? x) (>= x 0))) s)))
-                            (error 'heat-balance "a surface must be (list area u-value) or (list area u-value factor), got ~s" s)))
-    surfaces)
+  (for-each (lambda (s) (need-surface 'heat-balance s)) surfaces)
   (for-each (lambda (w)
               (if (not (and (list? w) (= (length w) 3) (positive-number? (first w)) (real? (second w)) (<= 0 (second w) 1))) (error 'heat-balance "a window must be (list area g irradiations), got ~s" w))
               (need-numbers 'heat-balance "a window's irradiation" (third w) 12))
     windows)
-  (let* ((transmission (fold (lambda (s sum) (+ sum (* (first s) (second s) (if (pair? (cddr s)) (third s) 1)))) 0 surfaces))
+  (let* ((transmission (transmission-of surfaces))
          (ventilation (/ (* 1200 volume changes) 3600)) ; 1200 J/m3K is the heat capacity of air
          (a (if (> (+ transmission ventilation) 0) (+ 1 (/ capacity 3600 (+ transmission ventilation) 15)) 1)))
     (map (lambda (days cold k)
