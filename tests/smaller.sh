@@ -8,6 +8,7 @@ smaller() { # EXAMPLE
   examples/panelised-roof.vs) echo "-D nu=4 -D nv=4" ;;
   examples/diagrid-roof.vs) echo "-D across=3 -D along=4" ;;
   examples/diagrid-tower.vs) echo "-D storeys=8 -D sides=8" ;;
+  examples/gare-analysed.vs) echo "-D columns=1 -D rows=1" ;;
   examples/school-plan.vs) echo "-D classes=2" ;;
   examples/deformed-tower.vs) echo "-D storeys=8" ;;
   examples/rules/massive-street.vs) echo "-D lots=3" ;;

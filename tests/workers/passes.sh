@@ -13,6 +13,7 @@ smaller() {
   deformed-tower) echo "-D storeys=6" ;;
   diagrid-roof) echo "-D across=3 -D along=4" ;;
   diagrid-tower) echo "-D storeys=8 -D sides=8" ;;
+  gare-analysed) echo "-D columns=1 -D rows=1" ;;
   school-plan) echo "-D classes=2" ;;
   gare-do-oriente) echo "-D columns=1 -D rows=1" ;;
   gyroid-pavilion) echo "-D fineness=40" ;;
