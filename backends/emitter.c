@@ -45,7 +45,7 @@ bool vs_emit_triangles(vs_emitter *e, size_t count) {
   e->triangles += count;
   if (tally != NULL) tally->triangles += count;
   return !limit || e->triangles <= limit ||
-         vs_error_set(e->error, VS_ERROR_MEMORY, NULL, "the result has more than %zu triangles, the limit", limit);
+         vs_error_set(e->error, VS_ERROR_LIMIT, NULL, "the result has more than %zu triangles, the limit", limit);
 }
 
 static bool drive_going(void *context) { return vs_emit_progress(context, "writing", -1); }

@@ -570,6 +570,12 @@ static vs_outcome view_model(cli_options *o) {
   return outcome;
 }
 
+/* Prints that memory is out, where the library could not report it. The message is the library's. */
+static void tell_no_memory(const vs_options *o) {
+  if (!o->limit_memory) fputs("vs: out of memory\n", stderr);
+  else fprintf(stderr, "vs: out of memory: stopped at %.12g MB, the limit\n", (double)o->limit_memory / 1048576);
+}
+
 /* Runs the files and texts of the command line in an interpreter, then the prompt if requested. Returns the exit code.
  * Sets *told if a failure of standard output was reported. */
 static int run_session(cli_options *o, bool *told) {
@@ -605,7 +611,7 @@ static int run_session(cli_options *o, bool *told) {
   session.scheme = vs_new(&o->interpreter);
   vs_outcome outcome = VS_OUTCOME_MACHINE;
   if (!session.scheme) {
-    fputs("vs: out of memory\n", stderr);
+    tell_no_memory(&o->interpreter);
   } else {
     interrupted_by_signal = session.scheme;
     hear_signals();
@@ -621,7 +627,7 @@ static int run_session(cli_options *o, bool *told) {
     }
     if (ended) outcome = VS_OUTCOME_INTERRUPTED;
     /* If memory ran out before the library could report an error, prints this message. */
-    if (outcome == VS_OUTCOME_MACHINE && session.reporter.errors == 0) fputs("vs: out of memory\n", stderr);
+    if (outcome == VS_OUTCOME_MACHINE && session.reporter.errors == 0) tell_no_memory(&o->interpreter);
     interrupted_by_signal = NULL;
     if (TIDY) vs_free(session.scheme);
   }

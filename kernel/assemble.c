@@ -21,7 +21,7 @@ bool vs_placing_room(vs_kernel *k, vs_mesh *out, size_t vertices, size_t triangl
                                                                           * may follow */
       !vs_mesh_reserve(out, more_vertices + more_vertices / 2, more + more / 2) &&
       !vs_mesh_reserve(out, more_vertices, more))
-    return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
+    return vs_kernel_no_memory(k);
   out->vertex_count = more_vertices;
   out->triangle_count = more;
   return true;

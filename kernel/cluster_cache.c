@@ -79,7 +79,7 @@ bool vs_remember_find(vs_kernel *k, vs_remember *r, vs_mesh *out, bool *found) {
             vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the result has more than %zu triangles, the limit", limit);
   if (ok && (vertices + h.vertices > out->vertex_room || triangles + h.triangles > out->triangle_room))
     ok = vs_mesh_reserve(out, vertices + vertices / 2 + h.vertices, triangles + triangles / 2 + h.triangles) ||
-         vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
+         vs_kernel_no_memory(k);
   if (ok && h.triangles) {
     memcpy(out->vertices + vertices, from, h.vertices * sizeof *out->vertices);
     from += (h.vertices * sizeof *out->vertices + 15) & ~(size_t)15;

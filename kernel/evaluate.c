@@ -312,7 +312,7 @@ static bool gate_cuts(const whole *w, vs_group leaves) {
 }
 
 static bool no_room(vs_kernel *k) {
-  return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
+  return vs_kernel_no_memory(k);
 }
 
 static bool want_tags(vs_kernel *k, vs_mesh *m) { return vs_mesh_want_tags(m) || no_room(k); }

@@ -56,8 +56,8 @@ typedef enum {
   VS_KERNEL_OPEN,
   VS_KERNEL_INSIDE_OUT,
   VS_KERNEL_NOT_FINITE,
-  VS_KERNEL_OUT_OF_MEMORY,
-  VS_KERNEL_LIMIT,
+  VS_KERNEL_OUT_OF_MEMORY, /* malloc or the limit max_bytes refused a request */
+  VS_KERNEL_LIMIT,         /* more triangles, parts or vertices than allowed */
   VS_KERNEL_INTERRUPTED,
   VS_KERNEL_INTERNAL /* a self-check of the kernel failed, so it returned no result */
 } vs_kernel_status;

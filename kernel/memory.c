@@ -18,6 +18,10 @@ bool vs_kernel_fail(vs_kernel *k, vs_kernel_status status, uint32_t leaf, const 
   return false;
 }
 
+bool vs_kernel_no_memory(vs_kernel *k) {
+  return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
+}
+
 bool vs_kernel_on_the_way(vs_kernel *k, size_t pieces) {
   size_t limit = k->options ? k->options->max_triangles : 0;
   return !limit || pieces / VS_ON_THE_WAY <= limit ||
@@ -34,17 +38,15 @@ bool vs_kernel_grow(vs_kernel *k, void *slot, size_t *room, size_t need, size_t 
   if (more < need) more = need;
   size_t added = (more - *room) * size;
   if (more > SIZE_MAX / size)
-    return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
+    return vs_kernel_no_memory(k);
   _Atomic size_t *bytes = k->owner ? &k->owner->bytes : &k->bytes;
   if (k->options && k->options->max_bytes && *bytes + added > k->options->max_bytes)
-    return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0,
-                          "combining the solids needs more than the %zu MB that the limit on memory leaves",
-                          k->options->max_bytes >> 20);
+    return vs_kernel_no_memory(k);
   void *old, *grown;
   memcpy(&old, slot, sizeof old); /* slot is the address of a pointer whose type is unknown here, so memcpy reads the
                                    * pointer */
   grown = realloc(old, more * size);
-  if (!grown) return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
+  if (!grown) return vs_kernel_no_memory(k);
   memcpy(slot, &grown, sizeof grown);
   size_t now = atomic_fetch_add(bytes, added) + added; /* number of allocated bytes after this call; other threads may
                                                         * have added more in the meantime */

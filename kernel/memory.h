@@ -30,6 +30,8 @@ typedef struct vs_kernel {
 
 bool vs_kernel_fail(vs_kernel *k, vs_kernel_status status, uint32_t leaf, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
+/* Sets the error to VS_KERNEL_OUT_OF_MEMORY: malloc or the limit max_bytes refused a request. Returns false. */
+bool vs_kernel_no_memory(vs_kernel *k);
 #define VS_BROKEN(k, why)                                                                                              \
   vs_kernel_fail(k, VS_KERNEL_INTERNAL, 0,                                                                             \
                  "the solids could not be combined: %s (a fault of vs, please report the model)", why)

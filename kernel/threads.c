@@ -175,7 +175,7 @@ static bool run(vs_kernel *k, size_t count, size_t window, vs_task_fn *task, vs_
   if (!can_done || pthread_cond_init(&c.space, NULL) != 0) {
     if (can_done) pthread_cond_destroy(&c.done);
     if (made) pthread_mutex_destroy(&c.lock);
-    return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
+    return vs_kernel_no_memory(k);
   }
   pthread_attr_t how;
   bool small = pthread_attr_init(&how) == 0 && pthread_attr_setstacksize(&how, STACK) == 0;

@@ -20,7 +20,8 @@ typedef enum {
   VS_ERROR_MODEL /* the user's model is wrong; exit status of vs: 1 */,
   VS_ERROR_FILE /* a file cannot be read or written; exit status 2 */,
   VS_ERROR_WORKER /* an external program failed; exit status 3 */,
-  VS_ERROR_MEMORY /* memory is out; exit status 4 */,
+  VS_ERROR_MEMORY /* memory is out, by malloc or by the limit on memory; exit status 4 */,
+  VS_ERROR_LIMIT /* another limit was reached: triangles or seconds; exit status 4 */,
   VS_ERROR_INTERRUPT /* interrupted by the user or a time limit; exit status 130 */
 } vs_error_kind;
 typedef struct {

@@ -12,7 +12,10 @@
 
 #include "vm/values/printer.h"
 
-enum { NOTES = 12 }; /* greatest number of callers in a report, innermost first */
+enum {
+  NOTES = 12,        /* greatest number of callers in a report, innermost first */
+  LIMIT_MESSAGE = 96 /* room for a message that names a limit */
+};
 
 /* ---- source lines ---- */
 
@@ -93,19 +96,27 @@ void vs_session_warn(void *session, const vs_origin *origin, const char *message
   vs_session_report(session, VS_SEVERITY_WARNING, VS_OUTCOME_DONE, origin, message);
 }
 
+/* Returns the message of an error of memory: `said`, or if the user has set a limit, a text in `room` that names it.
+ * The message does not depend on whether the library's count or malloc has refused the request. */
+static const char *memory_message(const vs_session *s, const char *said, char *room, size_t size) {
+  if (!s->options.limit_memory) return said;
+  snprintf(room, size, "out of memory: stopped at %.12g MB, the limit", (double)s->options.limit_memory / 1048576);
+  return room;
+}
+
 vs_outcome vs_session_report_error(vs_session *s, const vs_error *e) {
   vs_outcome outcome = VS_OUTCOME_MODEL;
   switch (e->kind) {
     case VS_ERROR_NONE: case VS_ERROR_MODEL: break;
     case VS_ERROR_FILE: outcome = VS_OUTCOME_USAGE; break;
     case VS_ERROR_WORKER: outcome = VS_OUTCOME_WORKER; break;
-    case VS_ERROR_MEMORY: outcome = VS_OUTCOME_MACHINE; break;
+    case VS_ERROR_MEMORY: case VS_ERROR_LIMIT: outcome = VS_OUTCOME_MACHINE; break;
     case VS_ERROR_INTERRUPT: outcome = VS_OUTCOME_INTERRUPTED; break;
   }
-  vs_session_report(s, VS_SEVERITY_ERROR, outcome, e->origin,
-                    *e->message                     ? e->message
-                    : outcome == VS_OUTCOME_MACHINE ? "out of memory"
-                                                    : "it failed");
+  char limit[LIMIT_MESSAGE];
+  const char *message = *e->message ? e->message : outcome == VS_OUTCOME_MACHINE ? "out of memory" : "it failed";
+  if (e->kind == VS_ERROR_MEMORY) message = memory_message(s, message, limit, sizeof limit);
+  vs_session_report(s, VS_SEVERITY_ERROR, outcome, e->origin, message);
   return outcome;
 }
 
@@ -178,16 +189,14 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
   bool is_condition = vs_is(r[0], VS_T_CONDITION);
   vs_text t;
   vs_text_open(vm, &t, 4000);
-  char limit[96];
-  bool limited = false, late = false;
+  char limit[LIMIT_MESSAGE];
+  bool no_memory = false, late = false;
   bool printed = vs_print_condition(vm, r[0], &t);
   const char *message = "out of memory";
   if (is_condition) {
     const vs_condition *c = vs_as_condition(r[0]);
     outcome = outcome_of(s, c->kind, usage);
-    /* limited: whether the error was caused by the user's memory limit, which the host may also apply to its whole
-     * process */
-    limited = c->kind == vm->sym.memory && s->options.limit_memory;
+    no_memory = c->kind == vm->sym.memory;
     late = c->kind == vm->sym.interrupt && is_late(s);
     /* an error in a procedure that a macro created is reported at the place where the program uses the macro */
     if (!vs_session_condition_place(s, c, &at)) vs_session_span(s, vm->top_place, &at);
@@ -207,8 +216,7 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
     snprintf(limit, sizeof limit, "the output: stopped after %g seconds, the limit", s->options.limit_time);
     message = limit;
   }
-  if (limited) snprintf(limit, sizeof limit, "out of memory: stopped at %.12g MB, the limit",
-      (double)s->options.limit_memory / 1048576), message = limit;
+  if (no_memory) message = memory_message(s, message, limit, sizeof limit);
   tell(s, (vs_diagnostic){ .severity = VS_SEVERITY_ERROR, .outcome = outcome, .at = at, .message = message,
                            .notes = notes, .note_count = count });
   vs_text_close(&t);
@@ -230,6 +238,5 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
 }
 
 vs_outcome vs_session_out_of_memory(vs_session *s) {
-  vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_MACHINE, (vs_span){ 0 }, "out of memory");
-  return VS_OUTCOME_MACHINE;
+  return vs_session_report_error(s, &(vs_error){ .kind = VS_ERROR_MEMORY });
 }

@@ -418,6 +418,17 @@ static bool report_nothing(vs_session *s, const char *message) {
   return told;
 }
 
+/* Returns the place of the call that made the deepest drawn object, or NULL if no object has a place. It becomes the
+ * place of an error of a limit that has none. */
+static const vs_origin *deepest_drawn(const vs_scene *scene) {
+  const vs_ref *deepest = NULL;
+  for (size_t i = 0; i < scene->drawn_count; i++) {
+    const vs_ref *r = &scene->drawn[i];
+    if (r->origin && (!deepest || r->node->depth > deepest->node->depth)) deepest = r;
+  }
+  return deepest ? deepest->origin : NULL;
+}
+
 /* Ends the output: releases the references, reports the error of a failed stage, and returns the outcome. */
 static vs_outcome end_writing(writing *j, bool ok) {
   vs_session *s = j->session;
@@ -426,6 +437,8 @@ static vs_outcome end_writing(writing *j, bool ok) {
   vs_store_set_job(s->bind.store, &s->job);
   bool nothing = !ok && j->scene.drawn_count == 0 && j->error.kind == VS_ERROR_MODEL && !strcmp(j->error.message,
       "nothing is drawn");
+  if (!j->error.origin && (j->error.kind == VS_ERROR_MEMORY || j->error.kind == VS_ERROR_LIMIT))
+    j->error.origin = deepest_drawn(&j->scene);
   for (size_t i = 0; i < j->scene.drawn_count; i++) vs_node_release(j->scene.drawn[i].node);
   vs_store_realloc(s->bind.store, j->scene.drawn, j->scene.drawn_room * sizeof *j->scene.drawn, 0);
   if (j->text) vs_mem(s->bind.vm, j->text, j->text_bytes + 1, 0);
@@ -433,7 +446,7 @@ static vs_outcome end_writing(writing *j, bool ok) {
   if (j->outcome != VS_OUTCOME_DONE) return j->outcome;
   if (nothing && report_nothing(s, j->error.message)) return VS_OUTCOME_MODEL;
   if (stopped)
-    vs_error_set(&j->error, VS_ERROR_MEMORY, NULL, "the output: stopped after %g seconds, the limit",
+    vs_error_set(&j->error, VS_ERROR_LIMIT, NULL, "the output: stopped after %g seconds, the limit",
                  s->options.limit_time);
   return vs_session_report_error(s, &j->error);
 }

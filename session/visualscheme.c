@@ -506,7 +506,7 @@ bool vs_parameter_set(vs_scheme *vm, const char *name, const char *datum) {
     return false;
   }
   if (vs_bind_set_parameter(&s->bind, name, datum)) return true;
-  vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_MACHINE, (vs_span){ 0 }, "out of memory");
+  vs_session_out_of_memory(s);
   return false;
 }
 

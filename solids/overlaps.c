@@ -266,7 +266,7 @@ bool vs_primitive_tessellated(const vs_node *n, const vs_fineness *f, const vs_k
   size_t limit = options ? options->max_triangles : 0;
   m->most = limit * VS_ON_THE_WAY;
   bool ok = vs_tessellate(n, f, m, e);
-  if (!ok && m->over) vs_error_set(e, VS_ERROR_MEMORY, NULL, VS_SHAPES_OVER, m->most, VS_ON_THE_WAY, limit);
+  if (!ok && m->over) vs_error_set(e, VS_ERROR_LIMIT, NULL, VS_SHAPES_OVER, m->most, VS_ON_THE_WAY, limit);
   m->most = 0;
   return ok;
 }
@@ -376,7 +376,7 @@ static bool free_finer(sweep *s, double finer, vs_mesh *m, vs_error *e) {
   bool ok = (!some || mark_neighbours(s, finer > FINE ? 1 : 3)) &&
             vs_bends_refine(s->bends, some ? s->marked : NULL, s->fineness->tolerance / finer) &&
             vs_bends_mesh(s->bends, m);
-  if (!ok && m->over) return vs_error_set(e, VS_ERROR_MEMORY, NULL, VS_SHAPES_OVER, m->most, VS_ON_THE_WAY, limit);
+  if (!ok && m->over) return vs_error_set(e, VS_ERROR_LIMIT, NULL, VS_SHAPES_OVER, m->most, VS_ON_THE_WAY, limit);
   m->most = 0;
   return ok ? free_sweep(s, m, e) : vs_error_memory(e, NULL);
 }

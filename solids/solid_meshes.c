@@ -473,7 +473,8 @@ static vs_error_kind kind_of(vs_kernel_status s) {
   case VS_KERNEL_FINE: return VS_ERROR_NONE;
   case VS_KERNEL_OPEN: case VS_KERNEL_INSIDE_OUT: case VS_KERNEL_NOT_FINITE: case VS_KERNEL_INTERNAL:
     return VS_ERROR_MODEL;
-  case VS_KERNEL_OUT_OF_MEMORY: case VS_KERNEL_LIMIT: return VS_ERROR_MEMORY;
+  case VS_KERNEL_OUT_OF_MEMORY: return VS_ERROR_MEMORY;
+  case VS_KERNEL_LIMIT: return VS_ERROR_LIMIT;
   case VS_KERNEL_INTERRUPTED: return VS_ERROR_INTERRUPT;
   }
   return VS_ERROR_MEMORY;

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Runs the programs that attack the limits (a sample; LONG=1: all), the test of the rights of an untrusted
-# model, and the inputs that fuzzers have found.
+# model, outputs that run out of memory, and the inputs that fuzzers have found.
 folder=$(mktemp -d) || exit 1
 trap 'rm -rf "$folder"' EXIT
 . tests/limited.sh
@@ -8,6 +8,7 @@ trap 'rm -rf "$folder"' EXIT
 sh tests/untrusted.sh
 sh tests/inputs.sh
 sh tests/faults.sh
+sh tests/memory.sh
 for fuzzer in "$BUILD"/tools/replay_*; do
   [ -x "$fuzzer" ] || continue
   name=${fuzzer##*/replay_}

@@ -184,7 +184,7 @@ bool vs_povray_start(vs_emitter *e, vs_povray_process *r, const char *folder, ch
   r->in_piece = false;
   r->process = 0;
   if (pipe2(ends, O_CLOEXEC) != 0)
-    return vs_error_set(e->error, VS_ERROR_MEMORY, NULL, "cannot talk to POV-Ray: no pipe");
+    return vs_error_set(e->error, VS_ERROR_LIMIT, NULL, "cannot talk to POV-Ray: no pipe");
   snprintf(home, sizeof home, "HOME=%s", folder);
   snprintf(ini, sizeof ini, "POVINI=%s/povray.ini", folder);
   snprintf(path, sizeof path, "PATH=%s", where != NULL ? where : "/usr/local/bin:/usr/bin:/bin");

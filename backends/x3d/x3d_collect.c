@@ -90,7 +90,7 @@ static bool collect_count(vs_emitter *e, size_t count) {
   size_t limit = e->job->limits.mesh_triangles;
   x->collected += count;
   return !limit || x->collected / VS_ON_THE_WAY <= limit ||
-         vs_error_set(e->error, VS_ERROR_MEMORY, NULL, VS_SHAPES_OVER, limit * VS_ON_THE_WAY, VS_ON_THE_WAY, limit);
+         vs_error_set(e->error, VS_ERROR_LIMIT, NULL, VS_SHAPES_OVER, limit * VS_ON_THE_WAY, VS_ON_THE_WAY, limit);
 }
 
 /* Adds triangle i to a batch. */

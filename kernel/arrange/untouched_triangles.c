@@ -730,7 +730,7 @@ bool vs_plain_copy(vs_kernel *k, vs_cluster *c, vs_mesh *out, const uint32_t *nu
   size_t vertices = w.first_vertex + w.vertices.count;
   if (ok && vertices > out->vertex_room &&
       !vs_mesh_reserve(out, w.first_vertex ? vertices + vertices / 2 : vertices, 0))
-    ok = vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
+    ok = vs_kernel_no_memory(k);
   if (ok) out->vertex_count = vertices;
   ok = ok && vs_kernel_run(k, (w.vertices.count + PLACES - 1) / PLACES, place_chunk, &w);
   VS_DROP(k, w.vertices);

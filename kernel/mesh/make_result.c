@@ -340,7 +340,7 @@ static bool triangulate_chunk(vs_kernel *k, void *context, size_t index) {
 }
 
 static bool no_room(const vs_result_state *w) {
-  return vs_kernel_fail(w->k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
+  return vs_kernel_no_memory(w->k);
 }
 
 enum { PLACES = 1 << 14 };

@@ -270,7 +270,7 @@ static bool join_many(splitter *s) {
 }
 
 static bool no_room(splitter *s) {
-  return vs_kernel_fail(s->k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
+  return vs_kernel_no_memory(s->k);
 }
 
 /* Cuts triangle t, if it has new vertices on its edges, into pieces. None of the pieces is flat. */

@@ -592,5 +592,5 @@ bool vs_mesh_round(vs_mesh *m, vs_numbers numbers, const vs_kernel_options *opti
   VS_DROP(&k, s.alone);
   vs_shells_free(&s.shells);
   VS_DROP(&k, s.storeys);
-  return ok || (vs_kernel_fail(&k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids"), false);
+  return ok || (vs_kernel_no_memory(&k), false);
 }

@@ -136,7 +136,7 @@ static vs_outcome run(job *j) {
 /* Sets *e to the error that the outcome and the last message of a run describe. Returns false. */
 static bool failed(const job *j, vs_outcome outcome, vs_error *e) {
   vs_error_kind kind = outcome == VS_OUTCOME_INTERRUPTED ? VS_ERROR_INTERRUPT
-                       : outcome == VS_OUTCOME_MACHINE   ? VS_ERROR_MEMORY
+                       : outcome == VS_OUTCOME_MACHINE   ? VS_ERROR_LIMIT
                                                          : VS_ERROR_MODEL;
   return vs_error_set(e, kind, NULL, "%s", j->message);
 }

@@ -662,7 +662,7 @@ static void test_threads(void **state) {
   for (size_t bytes = 100000; bytes < 30000000; bytes *= 3) {
     vs_kernel_options options = { .max_bytes = bytes, .threads = 4 };
     vs_kernel_error e;
-    if (!vs_kernel_evaluate(&p.problem, &options, &m, &e)) assert_int_equal(e.status, VS_KERNEL_LIMIT);
+    if (!vs_kernel_evaluate(&p.problem, &options, &m, &e)) assert_int_equal(e.status, VS_KERNEL_OUT_OF_MEMORY);
   }
   vs_mesh_free(&m);
   sx_free(&p);
@@ -701,7 +701,7 @@ static void test_errors(void **state) {
   for (size_t bytes = 1000; bytes < 3000000; bytes *= 3) { /* limits the memory to a different number of bytes in each
                                                             * run; a run that fails must free all memory */
     limits = (vs_kernel_options){ .max_bytes = bytes };
-    if (!vs_kernel_evaluate(&p.problem, &limits, &m, &e)) assert_int_equal(e.status, VS_KERNEL_LIMIT);
+    if (!vs_kernel_evaluate(&p.problem, &limits, &m, &e)) assert_int_equal(e.status, VS_KERNEL_OUT_OF_MEMORY);
     else assert_true(bytes > 200000);
   }
   for (int ticks = 1; ticks < 6; ticks++) {
