@@ -36,6 +36,7 @@ static bool drive_boxes(vs_emitter *e, const vs_ref *ref, vs_bounds_memo *memo, 
   size_t count = parts ? n->child_count : 1;
   if (!vs_emit_grow(e, &e->boxes, &e->box_room, e->box_count + count, sizeof *e->boxes)) return false;
   for (size_t i = 0; i < count; i++) {
+    if (!drive_tick(e)) return false;
     vs_bounds b;
     const vs_ref *part = parts ? &n->children[i] : ref;
     if (drive_vain(e, part)) continue;

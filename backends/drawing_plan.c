@@ -108,7 +108,7 @@ static bool drive_plan_leave(vs_emitter *e, size_t index) {
   }
   if (!vs_emit_grow(e, &d->order, &d->order_room, d->order_count + 1, sizeof *d->order)) return false;
   d->order[d->order_count++] = (uint32_t)index;
-  return (++d->ticks & 0xfff) != 0 || vs_emit_progress(e, "writing", -1);
+  return drive_tick(e);
 }
 
 /* Plans the children of an entry. Stops at the first child whose own children must be planned; *pushed is then true. */
@@ -122,7 +122,7 @@ static bool drive_plan_children(vs_emitter *e, drive_step *step, bool *pushed) {
     if (child->node->refs < 2 && !operation) { /* plans the child at once, without an entry */
       if (!drive_plan_omitted(e, child)) return false;
       drive_plan_add(&d->entries[index], NULL, drive_leaf_vain(e, child->node), first);
-      if ((++d->ticks & 0xfff) == 0 && !vs_emit_progress(e, "writing", -1)) return false;
+      if (!drive_tick(e)) return false;
       continue;
     }
     if (!drive_plan_meet(e, child, operation, index, first)) return false;
@@ -169,7 +169,7 @@ static void drive_plan_carved(vs_emitter *e) {
 bool vs_plan_scene(vs_emitter *e) {
   vs_drive *d = e->drive;
   for (size_t i = 0; i < e->scene->drawn_count; i++)
-    if (!drive_plan_below(e, &e->scene->drawn[i])) return false;
+    if (!drive_plan_below(e, &e->scene->drawn[i]) || !drive_tick(e)) return false;
   drive_plan_carved(e);
   if (e->backend->define == NULL) return true;
   uint32_t id = 0;

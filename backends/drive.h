@@ -70,7 +70,7 @@ struct vs_drive {
   size_t said_count, said_room;
   vs_bounds_memo bounds;
   vs_solid scratch; /* mesh of a node without an entry, valid until the next such mesh is computed */
-  uint32_t ticks;
+  uint32_t ticks; /* number of visited nodes (drive_tick) */
   vs_reuse reuse;       /* cache of the text of earlier outputs (reuse.h) */
   size_t run_frames, run_until; /* for the cached sequence of shapes that is being written. run_frames: number of frames
                                  * (open operations) at its beginning. run_until: index of the child before which it
@@ -135,6 +135,11 @@ static inline bool drive_vain(const vs_emitter *e, const vs_ref *ref) { return d
 static inline drive_entry *drive_find(const vs_emitter *e, const vs_node *n) {
   const uint64_t *at = n->refs > 1 || drive_is_operation(e, n) ? vs_nodemap_get(&e->drive->index, n) : NULL;
   return at != NULL ? &e->drive->entries[*at - 1] : NULL;
+}
+
+/* Counts a visited node, and asks after every 4096 whether the user interrupts. Returns false then. */
+static inline bool drive_tick(vs_emitter *e) {
+  return (++e->drive->ticks & 0xfff) != 0 || vs_emit_progress(e, "writing", -1);
 }
 
 /* ---- emitter.c ---- */

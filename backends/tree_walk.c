@@ -141,7 +141,7 @@ static void drive_place(vs_emitter *e, const vs_affine *placement) {
 static bool drive_show(vs_emitter *e, const vs_ref *ref, drive_view view, bool body) {
   vs_drive *d = e->drive;
   const vs_node *n = ref->node;
-  if ((++d->ticks & 0xfff) == 0 && !vs_emit_progress(e, "writing", -1)) return false;
+  if (!drive_tick(e)) return false;
   if (!drive_check(e, ref) || !vs_drive_mark_ref(e, ref)) return false;
   if (view.entry != NULL && view.entry->definition > 0 && !body) return e->backend->use(e, view.entry->definition, ref);
   if (e->backend->emit[n->kind].lossy != NULL && !vs_emit_warn_once(e, ref, e->backend->emit[n->kind].lossy))

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """interrupted.py VS [COUNT [POINTS]]: measures how long vs still runs after an interrupt, for drawings of COUNT nodes.
 
-The drawings are a chain, a comb, a fan, and single objects that all overlap. vs writes each drawing as .stl, and as
-.tree with each pass alone. At POINTS (8) evenly spaced points of a run the script sends SIGTERM, and reads the
+The drawings are a chain, a comb, a fan, and single objects that all overlap. vs writes each drawing as .stl, .pov, .scad
+and .off, and as .tree with each pass alone. At POINTS (8) evenly spaced points of a run the script sends SIGTERM, and reads the
 processor time that vs uses from then on. Other load on the machine changes processor time little; the least of three runs counts.
 The system needs time to free the memory, which a run that gets SIGKILL at the same point shows. The limit of 50 ms is
 for the time that vs adds. Prints a line for each drawing and output. Ends with 1 if a time exceeds the limit, if vs
@@ -110,6 +110,6 @@ def measure(name, program, options, folder):
 
 
 with tempfile.TemporaryDirectory() as folder:
-    kinds = [['-o', 'o.stl']] + [['-O' + name, '-o', 'o.tree'] for name in passes()]
+    kinds = [['-o', 'o' + ending] for ending in ('.stl', '.pov', '.scad', '.off')] + [['-O' + name, '-o', 'o.tree'] for name in passes()]
     held = [measure(name, program, options, folder) for name, program in DRAWINGS.items() for options in kinds]
 sys.exit(0 if all(held) else 1)

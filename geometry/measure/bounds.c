@@ -473,6 +473,8 @@ static bool bounds_of(vs_bounds_memo *m, const vs_node *n, vs_bounds children, v
 typedef struct { vs_ref ref; uint32_t next; vs_bounds children; /* children: bounds of the first `next` children of ref
                                                                  * together */ } vs_bounds_step;
 
+enum { CHILD_WORK = 64 }; /* work for the bounds of a child, in the units of vs_store_going */
+
 bool vs_bounds_memo_get(vs_bounds_memo *m, const vs_node *n, vs_bounds *out, vs_error *e) {
   vs_store *s = m->places.store;
   if (n->child_count == 0 && bounds_plain(n, out)) return true; /* the formula of a common primitive is faster than a
@@ -497,6 +499,7 @@ bool vs_bounds_memo_get(vs_bounds_memo *m, const vs_node *n, vs_bounds *out, vs_
       ok = bounds_child(m, child, &b, e);
       if (ok) vs_bounds_unite(&top->children, &b);
       else if (e && !e->origin) e->origin = top->ref.origin;
+      ok = ok && vs_store_going(s, CHILD_WORK, e);
     }
     if (!ok) break;
     if (top->next < at->child_count) {
