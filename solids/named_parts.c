@@ -6,15 +6,18 @@
  *   (a in part P + b) - c   has the pieces   P: a - c   and   outside of parts: b - c
  *
  * Pieces of equal name become one. An object that is made from others, such as a hull, belongs to the part around it.
- * Cost: proportional to the number of nodes that contain parts, times the number of parts below them. Solids that
- * overlap are found by their bounds: one comparison for each pair of parts. */
+ * Cost: proportional to the number of nodes that contain parts, times the number of parts below them. A tree of boxes
+ * finds the solids that overlap. */
 #include "solids/named_parts.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #include "geometry/measure/node_measures.h"
 #include "model/order.h"
+#include "model/store/array.h"
 #include "model/store/nodemap.h"
+#include "solids/near_boxes.h"
 
 /* The content of one part in a node. name: the part's name; "" for content outside of parts. The holder of the piece
  * holds a reference to its node. */
@@ -282,12 +285,48 @@ static bool share_space(const vs_bounds *a, const vs_bounds *b) {
   return size.x > least && size.y > least && size.z > least;
 }
 
+/* Pairs of items: items[item] is cut by items[by]. */
+typedef struct { uint32_t item, by; } parts_cut;
+typedef struct {
+  const parts_state *state;
+  const parts_item *items;
+  parts_cut *cuts;
+  size_t count, room;
+} parts_cuts;
+
 /* Returns true if items[i] is subtracted from items[at]: it is a solid part whose box overlaps that of items[at], and
  * it comes earlier or items[at] belongs to no part. */
-static bool cuts(const parts_state *s, const parts_item *items, size_t i, size_t at) {
-  bool before = i < at || items[at].name == s->nothing;
-  return before && i != at && items[i].name != s->nothing && items[i].ref.node->class_ == VS_SOLID &&
+static bool cuts(const parts_cuts *c, uint32_t i, uint32_t at) {
+  const parts_item *items = c->items;
+  const char *nothing = c->state->nothing;
+  return (i < at || items[at].name == nothing) && items[i].name != nothing &&
          share_space(&items[i].bounds, &items[at].bounds);
+}
+
+static bool note_cuts(void *context, uint32_t a, uint32_t b) {
+  parts_cuts *c = context;
+  if (!VS_GROW(c->cuts, c->room, c->count + 2)) return false;
+  if (cuts(c, a, b)) c->cuts[c->count++] = (parts_cut){ b, a };
+  if (cuts(c, b, a)) c->cuts[c->count++] = (parts_cut){ a, b };
+  return true;
+}
+
+static int by_item(const void *p, const void *q) {
+  const parts_cut *x = p, *y = q;
+  if (x->item != y->item) return x->item < y->item ? -1 : 1;
+  return x->by < y->by ? -1 : x->by > y->by;
+}
+
+/* Finds the cuts of all items, sorted by the cut item. Returns false on failure; the caller frees c->cuts. */
+static bool find_cuts(parts_state *s, parts_cuts *c, size_t count) {
+  size_t room = 0;
+  vs_bounds *boxes = NULL;
+  if (!VS_GROW(boxes, room, count + 1)) return no_memory(s);
+  for (size_t i = 0; i < count; i++) boxes[i] = c->items[i].bounds;
+  bool ok = vs_near_boxes(boxes, (uint32_t)count, 0, NULL, note_cuts, c, s->error);
+  free(boxes);
+  if (ok && c->count) qsort(c->cuts, c->count, sizeof *c->cuts, by_item);
+  return ok;
 }
 
 /* Returns `made` inside copies of the outermost materials and layers of the object `ref`; NULL on failure. Some formats
@@ -306,43 +345,47 @@ static vs_node *within_looks(parts_state *s, const vs_ref *ref, vs_node *made) {
   return made;
 }
 
-/* Subtracts from the solid items[at] all items that `cuts` selects. They are subtracted without materials and layers,
- * because the new faces would otherwise get the material of another part. */
-static bool part_item(parts_state *s, parts_item *items, size_t count, size_t at) {
-  parts_item *item = &items[at];
-  size_t cutters = 0;
-  if (item->ref.node->class_ != VS_SOLID) return true;
+/* Subtracts from the solid items[at] the items of its cuts. They are subtracted without materials and layers, because
+ * the new faces would otherwise get the material of another part. */
+static bool part_item(parts_state *s, parts_item *items, const parts_cut *cut, size_t count) {
+  parts_item *item = &items[cut->item];
   for (size_t i = 0; i < count; i++) {
-    if (!cuts(s, items, i, at)) continue;
-    if (!items[i].plain && !(items[i].plain = without_looks(s, &items[i].ref))) return false;
-    cutters++;
+    parts_item *by = &items[cut[i].by];
+    if (!by->plain && !(by->plain = without_looks(s, &by->ref))) return false;
   }
-  if (cutters == 0) return true;
-  if (!grow_kids(s, cutters + 1)) return false;
+  if (!grow_kids(s, count + 1)) return false;
   s->kids[0] = item->ref;
   while (vs_node_is_look(s->kids[0].node)) s->kids[0] = s->kids[0].node->children[0];
-  cutters = 1;
-  for (size_t i = 0; i < count; i++)
-    if (cuts(s, items, i, at)) s->kids[cutters++] = (vs_ref){ items[i].plain, items[i].ref.origin };
+  for (size_t i = 0; i < count; i++) s->kids[i + 1] = (vs_ref){ items[cut[i].by].plain, items[cut[i].by].ref.origin };
   vs_node *made = within_looks(
-      s, &item->ref, vs_node_new(s->store, VS_DIFFERENCE, &(struct vs_difference){ 0 }, s->kids, cutters));
+      s, &item->ref, vs_node_new(s->store, VS_DIFFERENCE, &(struct vs_difference){ 0 }, s->kids, count + 1));
   if (!made) return no_memory(s);
   vs_node_release(item->ref.node);
   item->ref.node = made;
   return true;
 }
 
+/* Makes the cuts from the last item to the first, so that no item is cut before it is subtracted from others. */
+static bool make_cuts(parts_state *s, parts_item *items, const parts_cuts *c, bool named) {
+  bool ok = true;
+  for (size_t end = c->count, from; ok && end > 0; end = from) {
+    for (from = end - 1; from > 0 && c->cuts[from - 1].item == c->cuts[end - 1].item;) from--;
+    if ((items[c->cuts[from].item].name != s->nothing) == named)
+      ok = vs_store_going(s->store, (uint32_t)(VS_ORDER_WORK + 8 * (end - from)), s->error) &&
+           part_item(s, items, c->cuts + from, end - from);
+  }
+  return ok;
+}
+
 static bool part_solids(parts_state *s, parts_item *items, size_t count) {
+  parts_cuts c = { .state = s, .items = items };
   bool ok = true;
   for (size_t i = 0; ok && i < count; i++)
     ok = items[i].ref.node->class_ != VS_SOLID || items[i].ref.node->flags & VS_NODE_ENDLESS
              ? (items[i].bounds = vs_bounds_empty(), true)
              : vs_node_bounds(items[i].ref.node, &items[i].bounds, s->error);
-  for (int named = 0; ok && named < 2; named++) /* goes from the last item to the first, so that no item is cut before
-                                                 * it is subtracted from others */
-    for (size_t i = count; ok && i-- > 0;)
-      if ((items[i].name != s->nothing) == (named == 1))
-        ok = vs_store_going(s->store, (uint32_t)(VS_ORDER_WORK + 8 * count), s->error) && part_item(s, items, count, i);
+  ok = ok && find_cuts(s, &c, count) && make_cuts(s, items, &c, false) && make_cuts(s, items, &c, true);
+  free(c.cuts);
   return ok;
 }
 
