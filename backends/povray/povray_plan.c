@@ -1,4 +1,4 @@
-/* Divides a picture among runs (processes) of POV-Ray so that equal models give equal bytes.
+/* Divides a picture among runs (processes) of POV-Ray so that equal models give equal bytes. Each run has one thread.
  *
  * Several threads of a run gather bounced light in a random order, and each sample of a thread changes the next sample
  * of another thread. A run with a single thread has a fixed order. A picture with bounced light is therefore made in
@@ -9,8 +9,8 @@
  * cut out of the strips that it intersects.
  *
  * The exposure is computed from the first pass, so that a part has the exposure of the whole picture. A draft has no
- * bounced light, and each of its pixels is independent of all others. A single run of many threads makes the wanted
- * part of a draft.
+ * bounced light, but strips too: for each lamp, a thread tests first the object that cast the last shadow, with a
+ * smaller tolerance than all others. Pixels near edges thus depend on the pixels that the thread has drawn before.
  *
  * For a small picture, starting several runs would take longer than drawing. A single run of one thread makes it. */
 #include "backends/povray/povray_plan.h"
@@ -22,9 +22,19 @@
 
 #include "kernel/threads.h"
 
-/* STRIP: approximate height in pixels of a strip, the part of the picture that a run renders. SMALL: number of pixels
- * of a small picture. PASS_LEAST, PASS_MOST, PASS_MOST_FINAL: bounds of the longer side of the first pass in pixels. */
-enum { STRIP = 120, SMALL = 1 << 15, PASS_LEAST = 200, PASS_MOST = 400, PASS_MOST_FINAL = 800 };
+/* STRIP: approximate height in pixels of a strip, the part of the picture that a run renders. SMALL, SMALL_DRAFT:
+ * number of pixels of a small picture, and of a draft that is a single run. QUICK: a draft's pixel takes an eighth of
+ * the time of a pixel with bounced light. PASS_LEAST, PASS_MOST, PASS_MOST_FINAL: bounds of the longer side of the
+ * first pass in pixels. */
+enum {
+  STRIP = 120,
+  SMALL = 1 << 15,
+  SMALL_DRAFT = 1 << 18,
+  QUICK = 8,
+  PASS_LEAST = 200,
+  PASS_MOST = 400,
+  PASS_MOST_FINAL = 800
+};
 
 static uint32_t between(uint32_t least, uint32_t x, uint32_t most) { return x < least ? least : x > most ? most : x; }
 
@@ -38,7 +48,7 @@ static void plan_passes(vs_povray_plan *p, vs_render_quality quality) {
   p->pass_count = p->bounced && columns >= VS_POVRAY_PASSES ? VS_POVRAY_PASSES : 1;
   for (uint32_t i = 0; i < p->pass_count; i++) {
     uint32_t from = columns * i / (uint32_t)p->pass_count, to = columns * (i + 1) / (uint32_t)p->pass_count;
-    p->jobs[p->count] = (vs_povray_job){ columns, rows, { from, 0, to - from, rows }, .threads = 1,
+    p->jobs[p->count] = (vs_povray_job){ columns, rows, { from, 0, to - from, rows },
                                     .samples = p->bounced ? VS_SAMPLES_KEPT : VS_SAMPLES_OWN };
     snprintf(p->jobs[p->count].name, sizeof p->jobs[p->count].name, "pass%u", i);
     p->count++;
@@ -49,7 +59,7 @@ static void plan_passes(vs_povray_plan *p, vs_render_quality quality) {
  * number is limited so that reading takes at most a quarter of the time for drawing. */
 static uint32_t strips_of(const vs_povray_plan *p, uint64_t triangles) {
   uint32_t most = between(p->columns >= 2 * STRIP ? 2 : 1, p->rows / STRIP, VS_POVRAY_STRIPS);
-  uint64_t count = 1 + (uint64_t)p->columns * p->rows / (triangles + 1);
+  uint64_t count = 1 + (uint64_t)p->columns * p->rows / (p->bounced ? 1 : QUICK) / (triangles + 1);
   if (count < 2) count = 2;
   if (count > most) count = most;
   return count > 2 ? (uint32_t)count / 2 * 2 : (uint32_t)count;
@@ -65,8 +75,8 @@ static void plan_strips(vs_povray_plan *p, uint64_t triangles) {
     uint32_t from = side * i / count, to = side * (i + 1) / count;
     if (to <= begin || from >= end) continue;
     vs_povray_job *job = &p->jobs[p->count++];
-    *job = (vs_povray_job){ p->columns, p->rows, { 0, from, p->columns, to - from }, .threads = 1, .smooth = true,
-                            .samples = VS_SAMPLES_GIVEN };
+    *job = (vs_povray_job){ p->columns, p->rows, { 0, from, p->columns, to - from }, .smooth = true,
+                            .samples = p->bounced ? VS_SAMPLES_GIVEN : VS_SAMPLES_OWN };
     if (count == 2) job->part = (vs_exr_part){ from, 0, to - from, p->rows };
     snprintf(job->name, sizeof job->name, "strip%u", i);
   }
@@ -79,16 +89,11 @@ vs_povray_plan vs_povray_plan_of(const vs_export_options *o, uint64_t triangles,
   vs_exr_part all = { 0, 0, p.columns, p.rows };
   const int *c = o->crop;
   p.wanted = c[2] ? (vs_exr_part){ (uint32_t)c[0], (uint32_t)c[1], (uint32_t)c[2], (uint32_t)c[3] } : all;
-  alone = alone || (uint64_t)p.columns * p.rows <= SMALL;
+  uint64_t pixels = (uint64_t)p.columns * p.rows;
+  alone = (alone && p.bounced) || pixels <= SMALL;
   if (!alone && (p.bounced || metered)) plan_passes(&p, o->quality);
-  if (!alone && p.bounced) {
-    plan_strips(&p, triangles);
-  } else {
-    uint32_t threads = p.bounced ? 1 : vs_kernel_threads(&(vs_kernel_options){ .threads = o->threads });
-    bool whole = p.bounced || (alone && metered);
-    p.jobs[p.count++] = (vs_povray_job){ p.columns, p.rows, whole ? all : p.wanted, .threads = threads,
-                                                 .smooth = true, .name = "whole" };
-  }
+  if (!alone && (p.bounced || pixels > SMALL_DRAFT)) plan_strips(&p, triangles);
+  else p.jobs[p.count++] = (vs_povray_job){ p.columns, p.rows, all, .smooth = true, .name = "whole" };
   return p;
 }
 

@@ -18,7 +18,6 @@ typedef struct {
   vs_exr_part part;
   vs_povray_samples samples;
   bool smooth;      /* whether pixels at edges are computed from several rays */
-  uint32_t threads;
   char name[16];    /* name of the job's files, without a suffix */
 } vs_povray_job;
 

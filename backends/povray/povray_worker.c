@@ -89,7 +89,7 @@ static void words_of(const pov_work *work, const vs_povray_job *job, words *w) {
   file_word(w, "+O", work->folder, job->name, ".exr");
   word(w, "+W%u", job->columns);
   word(w, "+H%u", job->rows);
-  word(w, "+WT%u", job->threads);
+  word(w, "+WT1");
   /* Sets the size, in megabytes, up to which POV-Ray keeps the picture in memory. Its own limit is 128. */
   if (vs_povray_fits(job)) word(w, "+MI%.0f", vs_povray_megabytes(job) + 1);
   static const char *const usual[] = { "+FE", "-D", "-GD", "-GR", "-GS" };
@@ -186,7 +186,8 @@ static bool crew_take(pov_work *work, pov_crew *c) {
 static bool crew_tell(pov_work *work, const pov_crew *c) {
   double at = now(), limit = work->e->job->limits.worker_seconds, pixels = c->finished;
   if (limit > 0 && at - work->begun > limit)
-    return vs_error_set(work->e->error, VS_ERROR_WORKER, NULL, "POV-Ray was stopped after %g seconds", limit);
+    return vs_error_set(work->e->error, VS_ERROR_WORKER, NULL,
+                        "POV-Ray was stopped after %g seconds, the limit; --limit-worker sets another", limit);
   if (at - work->told < 0.1) return true;
   work->told = at;
   for (size_t i = 0; i < c->room; i++)

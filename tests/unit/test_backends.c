@@ -791,7 +791,6 @@ static void test_povray_plan(void **state) {
           const vs_exr_part *a = &j->part, *b = &whole.jobs[m].part;
           assert_true(a->left + a->columns <= b->left || b->left + b->columns <= a->left || a->top + a->rows <= b->top || b->top + b->rows <= a->top);
         }
-        assert_true(quality == VS_RENDER_DRAFT || j->threads == 1);
       }
       assert_true(area[0] == (uint64_t)whole.columns * whole.rows);
       assert_true(!whole.pass_count || area[1] == (uint64_t)whole.jobs[0].columns * whole.jobs[0].rows);
@@ -799,7 +798,7 @@ static void test_povray_plan(void **state) {
       o.crop[0] = o.width / 3, o.crop[1] = o.height / 3, o.crop[2] = (o.width + 2) / 3, o.crop[3] = (o.height + 2) / 3;
       vs_povray_plan part = vs_povray_plan_of(&o, triangles[t], true, false);
       assert_int_equal(part.pass_count, whole.pass_count);
-      for (size_t k = 0; quality != VS_RENDER_DRAFT && k < part.count; k++) {
+      for (size_t k = 0; k < part.count; k++) {
         size_t same = 0;
         for (size_t m = 0; m < whole.count; m++) same += memcmp(&part.jobs[k], &whole.jobs[m], sizeof *whole.jobs) == 0;
         assert_int_equal(same, 1);
