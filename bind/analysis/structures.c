@@ -16,8 +16,8 @@
 #include "vm/machine/fail.h"
 #include "vm/values/gc.h"
 
-enum { MEMBER_NUMBERS = 11 }; /* numbers for each bar: from, to, area, bend_y, bend_z, twist, modulus, shear, roll, two
-                               * hinges */
+enum { MEMBER_NUMBERS = 17 }; /* numbers for each bar: from, to, area, bend_y, bend_z, twist, modulus, shear, roll, two
+                               * hinges, two offsets */
 
 static bool take_members(vs_args *f, size_t nodes, vs_structure *s) {
   vs_scheme *vm = vs_call_vm(f);
@@ -30,8 +30,9 @@ static bool take_members(vs_args *f, size_t nodes, vs_structure *s) {
     if (!ok) return vs_fail(vm, vm->sym.range, "member %zu is none", i + 1), false;
     m[i] = (vs_structure_member){ .from = (uint32_t)n[0], .to = (uint32_t)n[1], .area = n[2], .bend_y = n[3],
                                   .bend_z = n[4], .twist = n[5], .modulus = n[6], .shear = n[7], .roll = n[8],
-                                  .hinged = { n[9] > 0, n[10] > 0 } };
-    if (vs_v3_equal(s->at[m[i].from], s->at[m[i].to]))
+                                  .hinged = { n[9] > 0, n[10] > 0 },
+                                  .offset = { vs_v3(n[11], n[12], n[13]), vs_v3(n[14], n[15], n[16]) } };
+    if (vs_v3_equal(vs_v3_add(s->at[m[i].from], m[i].offset[0]), vs_v3_add(s->at[m[i].to], m[i].offset[1])))
       return vs_fail(vm, vm->sym.range, "member %zu has no length", i + 1), false;
   }
   s->members = m;

@@ -128,6 +128,18 @@ void vs_member_geometric(const vs_structure_member *m, double l, double force, v
   }
 }
 
+void vs_member_arms_geometric(const vs_structure_member *m, const vs_vec3 axes[3], double force, vs_member_matrix a) {
+  for (int end = 0; end < 2; end++) {
+    vs_vec3 arm = m->offset[end], f = vs_v3_scale(axes[0], end ? force : -force);
+    const double e[3] = { arm.x, arm.y, arm.z }, g[3] = { f.x, f.y, f.z };
+    int turn = end * VS_WAYS + 3;
+    /* a rotation r moves the end by r x (r x e) / 2 beyond the linear part; the force g does work on this */
+    for (int i = 0; i < 3; i++)
+      for (int j = 0; j < 3; j++)
+        a[turn + i][turn + j] += (g[i] * e[j] + e[i] * g[j]) / 2 - (i == j ? vs_v3_dot(arm, f) : 0);
+  }
+}
+
 /* Adds to k the matrix of a quantity (mass) in degree of freedom a of both ends; the movement varies linearly between
  * the ends. whole: total quantity. */
 static void add_linear(double whole, int a, vs_member_matrix k) {
@@ -151,26 +163,41 @@ void vs_member_mass(const vs_structure_member *m, double l, double mass, vs_memb
 
 /* ---- axes ---- */
 
-void vs_member_to_global(const vs_vec3 axes[3], const double own[VS_MEMBER_WAYS], double out[VS_MEMBER_WAYS]) {
+void vs_member_to_nodes(const vs_structure_member *m, const vs_vec3 axes[3], const double own[VS_MEMBER_WAYS],
+                        double out[VS_MEMBER_WAYS]) {
+  vs_vec3 force = vs_v3(0, 0, 0);
   for (int i = 0; i < VS_MEMBER_WAYS; i += 3) {
     vs_vec3 v = vs_v3_add(vs_v3_add(vs_v3_scale(axes[0], own[i]), vs_v3_scale(axes[1], own[i + 1])),
                           vs_v3_scale(axes[2], own[i + 2]));
+    if (i % VS_WAYS == 0) force = v;
+    else v = vs_v3_add(v, vs_v3_cross(m->offset[i / VS_WAYS], force));
     out[i] = v.x, out[i + 1] = v.y, out[i + 2] = v.z;
   }
 }
 
-void vs_member_to_own(const vs_vec3 axes[3], const double global[VS_MEMBER_WAYS], double out[VS_MEMBER_WAYS]) {
-  for (int i = 0; i < VS_MEMBER_WAYS; i++)
-    out[i] = vs_v3_dot(axes[i % 3], vs_v3(global[i / 3 * 3], global[i / 3 * 3 + 1], global[i / 3 * 3 + 2]));
+vs_vec3 vs_member_end(const double node[VS_WAYS], vs_vec3 offset) {
+  return vs_v3_add(vs_v3(node[0], node[1], node[2]), vs_v3_cross(vs_v3(node[3], node[4], node[5]), offset));
 }
 
-void vs_member_matrix_to_global(const vs_vec3 axes[3], vs_member_matrix k) {
+void vs_member_from_nodes(const vs_structure_member *m, const vs_vec3 axes[3], const double moved[VS_MEMBER_WAYS],
+                          double out[VS_MEMBER_WAYS]) {
+  for (int end = 0; end < 2; end++) {
+    const double *node = moved + end * VS_WAYS;
+    vs_vec3 path = vs_member_end(node, m->offset[end]), turn = vs_v3(node[3], node[4], node[5]);
+    for (int i = 0; i < 3; i++) {
+      out[end * VS_WAYS + i] = vs_v3_dot(axes[i], path);
+      out[end * VS_WAYS + 3 + i] = vs_v3_dot(axes[i], turn);
+    }
+  }
+}
+
+void vs_member_matrix_to_nodes(const vs_structure_member *m, const vs_vec3 axes[3], vs_member_matrix k) {
   vs_member_matrix half;
-  for (int i = 0; i < VS_MEMBER_WAYS; i++) vs_member_to_global(axes, k[i], half[i]);
+  for (int i = 0; i < VS_MEMBER_WAYS; i++) vs_member_to_nodes(m, axes, k[i], half[i]);
   for (int j = 0; j < VS_MEMBER_WAYS; j++) {
     double column[VS_MEMBER_WAYS], turned[VS_MEMBER_WAYS];
     for (int i = 0; i < VS_MEMBER_WAYS; i++) column[i] = half[i][j];
-    vs_member_to_global(axes, column, turned);
+    vs_member_to_nodes(m, axes, column, turned);
     for (int i = 0; i < VS_MEMBER_WAYS; i++) k[i][j] = turned[i];
   }
 }

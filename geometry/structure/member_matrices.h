@@ -19,14 +19,21 @@ void vs_member_stiffness(const vs_structure_member *m, double length, vs_vec3 li
 
 /* Sets a to the change of the member's stiffness by an axial force. force: in N, positive for tension. */
 void vs_member_geometric(const vs_structure_member *m, double length, double force, vs_member_matrix a);
+/* Adds to a, a matrix of the member's nodes, the change of their stiffness by the axial force at the ends of rigid
+ * arms. */
+void vs_member_arms_geometric(const vs_structure_member *m, const vs_vec3 axes[3], double force, vs_member_matrix a);
 /* Sets a to the mass matrix of the member, whose mass is in kg. */
 void vs_member_mass(const vs_structure_member *m, double length, double mass, vs_member_matrix a);
 
-/* Converts the twelve numbers of a member's two ends from own axes to global axes. vs_member_to_own converts them from
- * global axes to own axes. */
-void vs_member_to_global(const vs_vec3 axes[3], const double own[VS_MEMBER_WAYS], double out[VS_MEMBER_WAYS]);
-void vs_member_to_own(const vs_vec3 axes[3], const double global[VS_MEMBER_WAYS], double out[VS_MEMBER_WAYS]);
-/* Converts a member's matrix from own axes to global axes, in place. */
-void vs_member_matrix_to_global(const vs_vec3 axes[3], vs_member_matrix k);
+/* Sets out to the forces and moments at the nodes, in global axes, from those at the member's ends, in own axes. */
+void vs_member_to_nodes(const vs_structure_member *m, const vs_vec3 axes[3], const double own[VS_MEMBER_WAYS],
+                        double out[VS_MEMBER_WAYS]);
+/* Returns the displacement of the member's end that is `offset` away from a node with the given movements. */
+vs_vec3 vs_member_end(const double node[VS_WAYS], vs_vec3 offset);
+/* Sets out to the movements of the member's ends, in own axes, from those of its nodes, in global axes. */
+void vs_member_from_nodes(const vs_structure_member *m, const vs_vec3 axes[3], const double moved[VS_MEMBER_WAYS],
+                          double out[VS_MEMBER_WAYS]);
+/* Converts a matrix of the member's ends, in own axes, to one of its nodes, in global axes, in place. */
+void vs_member_matrix_to_nodes(const vs_structure_member *m, const vs_vec3 axes[3], vs_member_matrix k);
 
 #endif

@@ -17,10 +17,10 @@ static void add_lines(const vs_structure *s, size_t c, double *loads) {
     vs_vec3 axes[3], line = vs_v3(q[0], q[1], q[2]);
     vs_member_matrix k;
     double f[VS_MEMBER_WAYS], turned[VS_MEMBER_WAYS];
-    double length = vs_member_axes(s->at[m->from], s->at[m->to], m->roll, axes);
+    double length = vs_structure_axes(s, m, axes);
     line = vs_v3(vs_v3_dot(line, axes[0]), vs_v3_dot(line, axes[1]), vs_v3_dot(line, axes[2]));
     vs_member_stiffness(m, length, line, k, f);
-    vs_member_to_global(axes, f, turned);
+    vs_member_to_nodes(m, axes, f, turned);
     for (int a = 0; a < VS_MEMBER_WAYS; a++) loads[vs_structure_way(m, a)] += turned[a];
   }
 }
@@ -61,16 +61,16 @@ static void find_forces(const solved *w, size_t c, const double *loads) {
     double f[VS_MEMBER_WAYS], global[VS_MEMBER_WAYS], u[VS_MEMBER_WAYS];
     vs_member_matrix k;
     vs_vec3 axes[3], line = vs_v3(q[0], q[1], q[2]);
-    double length = vs_member_axes(s->at[m->from], s->at[m->to], m->roll, axes);
+    double length = vs_structure_axes(s, m, axes);
     line = vs_v3(vs_v3_dot(line, axes[0]), vs_v3_dot(line, axes[1]), vs_v3_dot(line, axes[2]));
     vs_member_stiffness(m, length, line, k, f);
     for (int a = 0; a < VS_MEMBER_WAYS; a++) global[a] = moved[vs_structure_way(m, a)];
-    vs_member_to_own(axes, global, u);
+    vs_member_from_nodes(m, axes, global, u);
     for (int a = 0; a < VS_MEMBER_WAYS; a++) {
       end[a] = -f[a];
       for (int b = 0; b < VS_MEMBER_WAYS; b++) end[a] += k[a][b] * u[b];
     }
-    vs_member_to_global(axes, end, global);
+    vs_member_to_nodes(m, axes, end, global);
     for (int a = 0; a < VS_MEMBER_WAYS; a++) reactions[vs_structure_way(m, a)] += global[a];
   }
   find_plate_forces(w, c, reactions);

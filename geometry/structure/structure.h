@@ -2,7 +2,7 @@
  * newton, pascal.
  *
  * A node has six degrees of freedom (`ways` in the code): displacements along x, y and z, and rotations about them. A
- * member's own axes are: x from its first node to its second; y horizontal; z upwards as far as the member allows. The
+ * member's own axes are: x from its first end to its second; y horizontal; z upwards as far as the member allows. The
  * own y of a vertical member is the global y. The roll turns y and z about x. */
 #ifndef VS_GEOMETRY_STRUCTURE_STRUCTURE_H
 #define VS_GEOMETRY_STRUCTURE_STRUCTURE_H
@@ -27,6 +27,7 @@ typedef struct {
   double roll;             /* angle by which the own y and z axes are turned about x, in radians */
   bool hinged[2];          /* hinged[i]: true if end i of the member carries no bending moments; a member with two
                             * hinges carries no torsion */
+  vs_vec3 offset[2];       /* offset[i]: rigid arm in m, in global axes, from the node to end i of the member */
 } vs_structure_member;
 
 /* A triangle of a shell. */
@@ -39,8 +40,8 @@ typedef struct {
 typedef struct {
   const vs_vec3 *at;
   size_t count;
-  const vs_structure_member *members; /* the members; their nodes are indices below `count`, and their lengths are above
-                                       * 0 */
+  const vs_structure_member *members; /* the members; their nodes are indices below `count`, and their lengths between
+                                       * their ends are above 0 */
   size_t member_count;
   const vs_structure_plate *plates;
   size_t plate_count;

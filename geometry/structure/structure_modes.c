@@ -37,14 +37,16 @@ static size_t parts_of(const cut *c, const vs_structure_member *m) { return m->b
 static void cut_member(cut *c, size_t i) {
   const vs_structure_member *m = &c->p->s->members[i];
   size_t parts = parts_of(c, m);
-  vs_vec3 from = c->at[m->from], along = vs_v3_sub(c->at[m->to], from);
+  vs_vec3 from = vs_v3_add(c->at[m->from], m->offset[0]);
+  vs_vec3 along = vs_v3_sub(vs_v3_add(c->at[m->to], m->offset[1]), from);
   bool ball = m->hinged[0] && m->hinged[1];
   for (size_t k = 0; k < parts; k++) {
     vs_structure_member piece = *m;
     double t = ((double)k + 0.5) / (double)parts;
-    if (k > 0) piece.from = (uint32_t)c->s.count - 1;
+    if (k > 0) piece.from = (uint32_t)c->s.count - 1, piece.offset[0] = vs_v3(0, 0, 0);
     if (k + 1 < parts) {
       piece.to = (uint32_t)c->s.count;
+      piece.offset[1] = vs_v3(0, 0, 0);
       c->at[c->s.count++] = vs_v3_add(from, vs_v3_scale(along, ((double)k + 1) / (double)parts));
     }
     piece.hinged[0] = m->hinged[0] && k == 0;
@@ -87,10 +89,11 @@ static bool other_matrix(const cut *c, const vs_structure_system *w, vs_sparse *
     const vs_structure_member *m = &c->members[i];
     vs_member_matrix a;
     vs_vec3 axes[3];
-    double length = vs_member_axes(c->at[m->from], c->at[m->to], m->roll, axes);
+    double length = vs_structure_axes(&c->s, m, axes);
     if (c->p->axial) vs_member_geometric(m, length, -c->force[i], a);
     else vs_member_mass(m, length, c->mass[i], a);
-    vs_member_matrix_to_global(axes, a);
+    vs_member_matrix_to_nodes(m, axes, a);
+    if (c->p->axial) vs_member_arms_geometric(m, axes, -c->force[i], a);
     for (int x = 0; x < VS_MEMBER_WAYS; x++)
       for (int y = x; y < VS_MEMBER_WAYS; y++) {
         uint32_t p = w->row[vs_structure_way(m, x)], q = w->row[vs_structure_way(m, y)];
@@ -106,6 +109,16 @@ static bool other_matrix(const cut *c, const vs_structure_system *w, vs_sparse *
   return vs_sparse_close(*out, false, e);
 }
 
+/* Returns the displacement of the given end of a segment. vector: eigenvector. */
+static vs_vec3 end_motion(const vs_structure_system *w, const double *vector, const vs_structure_member *m, int end) {
+  double node[VS_WAYS];
+  for (int i = 0; i < VS_WAYS; i++) {
+    uint32_t row = w->row[vs_structure_way(m, end * VS_WAYS + i)];
+    node[i] = row == VS_HELD ? 0 : vector[row];
+  }
+  return vs_member_end(node, m->offset[end]);
+}
+
 /* Computes the shape of a mode, the movements at the ends of all segments, from its eigenvector. */
 static void set_shape(const cut *c, const vs_structure_system *w, const double *vector, double *shape) {
   size_t stride = (c->p->parts + 1) * 3, segment = 0;
@@ -114,17 +127,13 @@ static void set_shape(const cut *c, const vs_structure_system *w, const double *
     size_t parts = parts_of(c, &c->p->s->members[i]);
     for (size_t k = 0; k <= c->p->parts; k++) {
       /* a member that is not cut stays straight: its movements are interpolated between its ends */
-      double t = parts > 1 ? 0 : (double)k / (double)c->p->parts, d[2][3];
+      double t = parts > 1 ? 0 : (double)k / (double)c->p->parts;
       const vs_structure_member *m = &c->members[segment + (parts > 1 && k == parts ? k - 1 : parts > 1 ? k : 0)];
-      size_t ends[2] = { parts > 1 && k == parts ? m->to : m->from, m->to };
-      for (size_t end = 0; end < 2; end++)
-        for (size_t x = 0; x < 3; x++) {
-          uint32_t row = w->row[ends[end] * VS_WAYS + x];
-          d[end][x] = row == VS_HELD ? 0 : vector[row];
-        }
-      double *out = &shape[i * stride + k * 3], size = 0;
-      for (size_t x = 0; x < 3; x++) out[x] = (1 - t) * d[0][x] + t * d[1][x], size += out[x] * out[x];
-      most = fmax(most, sqrt(size));
+      vs_vec3 first = end_motion(w, vector, m, parts > 1 && k == parts), last = end_motion(w, vector, m, 1);
+      vs_vec3 d = vs_v3_add(vs_v3_scale(first, 1 - t), vs_v3_scale(last, t));
+      double *out = &shape[i * stride + k * 3];
+      out[0] = d.x, out[1] = d.y, out[2] = d.z;
+      most = fmax(most, vs_v3_length(d));
     }
     segment += parts;
   }

@@ -12,9 +12,9 @@
 static void member_global(const vs_structure *s, size_t i, vs_member_matrix k, vs_vec3 axes[3]) {
   const vs_structure_member *m = &s->members[i];
   double f[VS_MEMBER_WAYS];
-  double length = vs_member_axes(s->at[m->from], s->at[m->to], m->roll, axes);
+  double length = vs_structure_axes(s, m, axes);
   vs_member_stiffness(m, length, vs_v3(0, 0, 0), k, f);
-  vs_member_matrix_to_global(axes, k);
+  vs_member_matrix_to_nodes(m, axes, k);
 }
 
 static void add_own_stiffness(vs_structure_system *w) {

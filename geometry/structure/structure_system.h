@@ -44,6 +44,10 @@ void vs_structure_system_free(vs_structure_system *w);
 static inline size_t vs_structure_way(const vs_structure_member *m, int i) {
   return (size_t)(i < VS_WAYS ? m->from : m->to) * VS_WAYS + (size_t)(i % VS_WAYS);
 }
+/* Sets axes to the member's own axes. Returns its length between its ends. */
+static inline double vs_structure_axes(const vs_structure *s, const vs_structure_member *m, vs_vec3 axes[3]) {
+  return vs_member_axes(vs_v3_add(s->at[m->from], m->offset[0]), vs_v3_add(s->at[m->to], m->offset[1]), m->roll, axes);
+}
 /* Returns the index, among the degrees of freedom of all nodes, of degree of freedom i of a plate's corners; i is 0 to
  * VS_PLATE_WAYS - 1. */
 static inline size_t vs_structure_plate_way(const vs_structure_plate *p, int i) {

@@ -4,8 +4,9 @@
 ; exact, also beside hinges.
 (define (movement-at r i t c)
   (let* ((f (result-frame r)) (b (vector-ref (bars-at f) (- i 1))) (nodes (nodes-at f)) (l (bar-length b)) (x (* t l)) (s (bar-section b)) (e (modulus-of (bar-material b)))
-         (end (lambda (n) (three (result-moved r) (* 6 (+ (* c (node-count f)) (- n 1))))))
-         (u (end (bar-from b))) (w (end (bar-to b)))
+         (end (lambda (n offset) ; the arm from the node to the end turns with the node
+                (let ((k (* 6 (+ (* c (node-count f)) (- n 1))))) (v+v (three (result-moved r) k) (cross (three (result-moved r) (+ k 3)) offset)))))
+         (u (end (bar-from b) (bar-offset-from b))) (w (end (bar-to b) (bar-offset-to b)))
          (at (* 12 (+ (* c (member-count f)) (- i 1)))) (force (lambda (k) (vector-ref (result-ends r) (+ at k))))
          (load (lambda (k) (/ (+ (force k) (force (+ k 6))) (- l))))
          (along (lambda (k) (let ((q (load k))) (/ (* q x (- l x)) 2 e (section-area s)))))
@@ -13,7 +14,7 @@
                 (if (> inertia 0)
                     (/ (+ (* moment 1/2 x (- x l)) (* shear 1/6 x (- (* x x) (* l l))) (* q 1/24 x (- (expt x 3) (expt l 3)))) (* e inertia))
                     0)))
-         (axes (member-axes (vector-ref nodes (bar-from b)) (vector-ref nodes (bar-to b)) (bar-roll b))))
+         (ends (bar-ends b nodes)) (axes (member-axes (first ends) (second ends) (bar-roll b))))
     (v+v (v*r u (- 1 t)) (v*r w t) (v*r (first axes) (along 0))
          (v*r (second axes) (sag (- 0 (force 5)) (force 1) (load 1) (section-iz s)))
          (v*r (third axes) (sag (force 4) (force 2) (load 2) (section-iy s))))))
@@ -34,7 +35,7 @@
 
 ; Returns the points of member i moved by `factor` times its movement.
 (define (moved-points r i factor c)
-  (let* ((f (result-frame r)) (b (vector-ref (bars-at f) (- i 1))) (nodes (nodes-at f)) (p (vector-ref nodes (bar-from b))) (q (vector-ref nodes (bar-to b))))
+  (let* ((f (result-frame r)) (b (vector-ref (bars-at f) (- i 1))) (ends (bar-ends b (nodes-at f))) (p (first ends)) (q (second ends)))
     (map (lambda (k) (let ((t (/ k 8))) (p+v (intermediate-point p q t) (v*r (movement-at r i t c) factor))))
       (if (or (= factor 0) (= 0 (section-iy (bar-section b)))) '(0 8) (iota 9)))))
 

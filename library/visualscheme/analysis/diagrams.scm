@@ -14,7 +14,7 @@
     (filter-map
       (lambda (b moments)
         (and (any (lambda (m) (> (abs m) (* 1e-9 greatest))) moments)
-             (let* ((p (vector-ref at (bar-from b))) (q (vector-ref at (bar-to b))) (axes (member-axes p q (bar-roll b)))
+             (let* ((ends (bar-ends b at)) (p (first ends)) (q (second ends)) (axes (member-axes p q (bar-roll b)))
                     (side (if (eq? about 'y) (v*r (third axes) -1) (v*r (second axes) -1))))
                (make-line (append (list p) (map (lambda (k m) (p+v (intermediate-point p q (/ k 16)) (v*r side (* m scale)))) parts moments) (list q p))))))
       bars all)))

@@ -14,10 +14,17 @@
 (define (cases-of f) (fifth ((frame-parts f))))
 (define (nodes-at f) (sixth ((frame-parts f)))) ; a vector, whose indices are the numbers of nodes
 (define (plates-in f) (seventh ((frame-parts f)))) ; lists of three numbers of nodes, thickness and material
-; from, to: numbers of nodes from 1
-(define-record-type bar (make-bar from to hinged-from hinged-to roll section material length) bar?
-  (from bar-from) (to bar-to) (hinged-from bar-hinged-from) (hinged-to bar-hinged-to) (roll bar-roll) (section bar-section)
-  (material bar-material) (length bar-length))
+; from, to: numbers of nodes from 1; joints: list of two hinges, the roll, and the gvectors from the nodes to the two ends;
+; length: that between the ends
+(define-record-type bar (make-bar from to joints section material length) bar?
+  (from bar-from) (to bar-to) (joints bar-joints) (section bar-section) (material bar-material) (length bar-length))
+(define (bar-hinged-from b) (first (bar-joints b)))
+(define (bar-hinged-to b) (second (bar-joints b)))
+(define (bar-roll b) (third (bar-joints b)))
+(define (bar-offset-from b) (fourth (bar-joints b)))
+(define (bar-offset-to b) (fifth (bar-joints b)))
+; Returns the list of the two ends of a bar. at: the vector of nodes.
+(define (bar-ends b at) (list (p+v (vector-ref at (bar-from b)) (bar-offset-from b)) (p+v (vector-ref at (bar-to b)) (bar-offset-to b))))
 
 (define ways '(x y z rx ry rz))
 (define gravity 9.81) ; m/s2
@@ -27,16 +34,26 @@
 
 ; ---- members ----
 
-; Returns the hinges and the roll that follow the nodes of a member: a list of two truths and a number.
-(define (member-options number options)
-  (let loop ((l options) (from #f) (to #f) (roll 0))
-    (cond
-      ((null? l) (list from to roll))
-      ((eq? (car l) 'hinged) (loop (cdr l) #t #t roll))
-      ((eq? (car l) 'hinged-start) (loop (cdr l) #t to roll))
-      ((eq? (car l) 'hinged-end) (loop (cdr l) from #t roll))
-      ((and (eq? (car l) 'roll) (pair? (cdr l))) (need-number 'frame 'roll (cadr l)) (loop (cddr l) from to (cadr l)))
-      (else (error 'frame "member ~a has the option ~s; options are 'hinged, 'hinged-start, 'hinged-end, and 'roll before an angle" number (car l))))))
+(define no-offset (vxyz 0 0 0))
+(define (need-offset number v)
+  (if (not (and (gvector? v) (every finite? (list (cx v) (cy v) (cz v))))) (error 'frame "member ~a: an offset must be a gvector from the node to the end, got ~s" number v)))
+
+; Returns the joints of a bar from the options that follow the nodes of a member. pinned: whether its ends are hinged anyway.
+(define (member-options number options pinned)
+  (let loop ((l options) (from pinned) (to pinned) (roll 0) (start no-offset) (end no-offset))
+    (define (hinge from to) (loop (cdr l) from to roll start end))
+    (define (offset start end) (need-offset number (cadr l)) (loop (cddr l) from to roll start end))
+    (let ((option (and (pair? l) (car l))) (next (and (pair? l) (pair? (cdr l)) (cadr l))))
+      (cond
+        ((null? l) (list from to roll start end))
+        ((eq? option 'hinged) (hinge #t #t))
+        ((eq? option 'hinged-start) (hinge #t to))
+        ((eq? option 'hinged-end) (hinge from #t))
+        ((and next (eq? option 'roll)) (need-number 'frame 'roll next) (loop (cddr l) from to next start end))
+        ((and next (eq? option 'offset)) (offset next next))
+        ((and next (eq? option 'offset-start)) (offset next end))
+        ((and next (eq? option 'offset-end)) (offset start next))
+        (else (error 'frame "member ~a has the option ~s; options are 'hinged, 'hinged-start, 'hinged-end, 'roll before an angle, and 'offset, 'offset-start, 'offset-end before a gvector" number option))))))
 
 ; Returns one value for each member: each of a list, or always the same.
 (define (one-each what value n convert)
@@ -56,10 +73,9 @@
            (if (not (and (list? m) (>= (length m) 2))) (error 'frame "member ~a must be a list of two nodes, got ~s" number m))
            (need-node 'frame (format "member ~a" number) (car m) count)
            (need-node 'frame (format "member ~a" number) (cadr m) count)
-           (let ((options (if (null? (cddr m)) (list pinned pinned 0) (member-options number (cddr m))))
-                 (long (distance (vector-ref at (car m)) (vector-ref at (cadr m)))))
+           (let* ((bar (make-bar (car m) (cadr m) (member-options number (cddr m) pinned) section material #f)) (ends (bar-ends bar at)) (long (apply distance ends)))
              (if (<= long 0) (error 'frame "member ~a has no length: its nodes ~a and ~a are at ~s" number (car m) (cadr m) (vector-ref at (car m))))
-             (make-bar (car m) (cadr m) (or pinned (first options)) (or pinned (second options)) (third options) section material long)))
+             (make-bar (car m) (cadr m) (bar-joints bar) section material long)))
          members (iota n 1) (one-each 'sections sections n section-for) (one-each 'materials materials n (lambda (m) (material-of 'frame m))))))
 
 ; ---- supports ----
@@ -176,16 +192,18 @@
 
 ; Writes the numbers of the members into a vector, as the core needs them.
 (define (member-numbers bars)
-  (let ((v (make-vector (* 11 (length bars)) 0)))
+  (let ((v (make-vector (* 17 (length bars)) 0)))
     (for-each
       (lambda (b k)
-        (let ((s (bar-section b)) (m (bar-material b)) (at (* 11 k)))
+        (let ((s (bar-section b)) (m (bar-material b)) (at (* 17 k)))
           (define (put! i x) (vector-set! v (+ at i) x))
           (put! 0 (- (bar-from b) 1)) (put! 1 (- (bar-to b) 1))
           (put! 2 (section-area s)) (put! 3 (section-iy s)) (put! 4 (section-iz s)) (put! 5 (section-it s))
           (put! 6 (modulus-of m)) (put! 7 (shear-of m)) (put! 8 (bar-roll b))
           (if (bar-hinged-from b) (put! 9 1))
-          (if (bar-hinged-to b) (put! 10 1))))
+          (if (bar-hinged-to b) (put! 10 1))
+          (add-at! v (+ at 11) (bar-offset-from b) 1)
+          (add-at! v (+ at 14) (bar-offset-to b) 1)))
       bars (iota (length bars)))
     v))
 

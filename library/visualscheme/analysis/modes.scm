@@ -47,6 +47,6 @@
   (let* ((parts ((mode-shape m))) (f (first parts)) (n (second parts)) (shape (third parts)) (nodes (nodes-at f))
          (big (or size (* 1/10 (apply max (map bar-length (bars-in f)))))))
     (map (lambda (b i)
-           (let ((p (vector-ref nodes (bar-from b))) (q (vector-ref nodes (bar-to b))))
+           (let* ((ends (bar-ends b nodes)) (p (first ends)) (q (second ends)))
              (curve-of (map (lambda (k) (p+v (intermediate-point p q (/ k n)) (v*r (three shape (* 3 (+ k (* i (+ n 1))))) big))) (iota (+ n 1))))))
       (bars-in f) (iota (member-count f)))))

@@ -3,7 +3,7 @@
 ; Returns a frame with other sections: one for each member.
 (define (with-sections f sections)
   (make-frame (nodes-of f)
-    (map (lambda (b s) (make-bar (bar-from b) (bar-to b) (bar-hinged-from b) (bar-hinged-to b) (bar-roll b) s (bar-material b) (bar-length b))) (bars-in f) sections)
+    (map (lambda (b s) (make-bar (bar-from b) (bar-to b) (bar-joints b) s (bar-material b) (bar-length b))) (bars-in f) sections)
     (plates-in f) (held-of f) (cases-of f)))
 
 (define (member-section r i)

@@ -38,7 +38,7 @@
 (fails (frame beam '((1 1)) #:supports '(1) #:sections tube))        ; expect: frame: member 1 has no length: its nodes 1 and 1 are at (xyz 0 0 0)
 (fails (frame beam '((1 3)) #:supports '(1) #:sections tube))        ; expect: frame: member 1: a node must be a number from 1 to 2, got 3
 (fails (frame beam '((1)) #:supports '(1) #:sections tube))          ; expect: frame: member 1 must be a list of two nodes, got (1)
-(fails (frame beam '((1 2 loose)) #:supports '(1) #:sections tube))  ; expect: frame: member 1 has the option loose; options are 'hinged, 'hinged-start, 'hinged-end, and 'roll before an angle
+(fails (frame beam '((1 2 loose)) #:supports '(1) #:sections tube))  ; expect: frame: member 1 has the option loose; options are 'hinged, 'hinged-start, 'hinged-end, 'roll before an angle, and 'offset, 'offset-start, 'offset-end before a gvector
 (fails (frame beam '((1 2)) #:supports '(3) #:sections tube))        ; expect: frame: supports: a node must be a number from 1 to 2, got 3
 (fails (frame beam '((1 2)) #:supports '((1 w)) #:sections tube))    ; expect: frame: supports: w holds nothing; write 'fixed, 'pinned, or some of (x y z rx ry rz), in (1 w)
 (fails (frame beam '((1 2)) #:supports '(1) #:sections (list tube tube))) ; expect: frame: sections must be one, or a list of 1, one for each member, got 2
