@@ -74,7 +74,7 @@
            (need-node 'frame (format "member ~a" number) (car m) count)
            (need-node 'frame (format "member ~a" number) (cadr m) count)
            (let* ((bar (make-bar (car m) (cadr m) (member-options number (cddr m) pinned) section material #f)) (ends (bar-ends bar at)) (long (apply distance ends)))
-             (if (<= long 0) (error 'frame "member ~a has no length: its nodes ~a and ~a are at ~s" number (car m) (cadr m) (vector-ref at (car m))))
+             (if (<= long 0) (error 'frame "member ~a has no length: its ends, of nodes ~a and ~a, are both at ~s" number (car m) (cadr m) (first ends)))
              (make-bar (car m) (cadr m) (bar-joints bar) section material long)))
          members (iota n 1) (one-each 'sections sections n section-for) (one-each 'materials materials n (lambda (m) (material-of 'frame m))))))
 

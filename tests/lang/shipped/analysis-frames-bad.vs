@@ -35,7 +35,7 @@
 (fails (rectangle-section 0.1 -1))                                   ; expect: rectangle-section: height must be positive, got -1
 (fails (box-section 0.1 0.2 0))                                      ; expect: box-section: t must be positive, got 0
 (fails (any-section 0.1 #:iy 1e-6))                                  ; expect: any-section: iy and iz must both be positive, or both be 0 for a bar without bending
-(fails (frame beam '((1 1)) #:supports '(1) #:sections tube))        ; expect: frame: member 1 has no length: its nodes 1 and 1 are at (xyz 0 0 0)
+(fails (frame beam '((1 1)) #:supports '(1) #:sections tube))        ; expect: frame: member 1 has no length: its ends, of nodes 1 and 1, are both at (xyz 0 0 0)
 (fails (frame beam '((1 3)) #:supports '(1) #:sections tube))        ; expect: frame: member 1: a node must be a number from 1 to 2, got 3
 (fails (frame beam '((1)) #:supports '(1) #:sections tube))          ; expect: frame: member 1 must be a list of two nodes, got (1)
 (fails (frame beam '((1 2 loose)) #:supports '(1) #:sections tube))  ; expect: frame: member 1 has the option loose; options are 'hinged, 'hinged-start, 'hinged-end, 'roll before an angle, and 'offset, 'offset-start, 'offset-end before a gvector

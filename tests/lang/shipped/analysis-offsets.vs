@@ -91,5 +91,5 @@
 (define (bad . options) (frame two (list (append '(1 2) options)) #:supports '(1) #:sections tube))
 (fails (bad 'offset 0.2))        ; expect: frame: member 1: an offset must be a gvector from the node to the end, got 0.2
 (fails (bad 'offset-end))        ; expect: frame: member 1 has the option offset-end; options are 'hinged, 'hinged-start, 'hinged-end, 'roll before an angle, and 'offset, 'offset-start, 'offset-end before a gvector
-(fails (bad 'offset-end (vxyz -3 0 0))) ; expect: frame: member 1 has no length: its nodes 1 and 2 are at (xyz 0 0 0)
+(fails (bad 'offset-end (vxyz -3 0 0))) ; expect: frame: member 1 has no length: its ends, of nodes 1 and 2, are both at (xyz 0 0 0)
 ; expect no other warnings
