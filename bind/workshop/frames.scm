@@ -64,10 +64,11 @@
             (if (or (> c 0.9999) (< c -0.9999)) reach (max reach (* r (sqrt (/ (+ 1 c) (- 1 c))))))))
         0 others))
 
-; Returns the bar cut by the planes that halve the angles to the other bars at its node.
-(define (%mitred bar p d others)
-  (fold (lambda (e bar) (if (< (distance (p+v origin d) (p+v origin e)) 1e-6) bar (do-slice bar (make-plane p (v-v d e)))))
-        bar others))
+; Returns the half-spaces beyond the planes that halve the angles to the other bars at the node p. A half-space to subtract
+; has a small mesh at the bar's end; one to intersect would have a mesh as long as the bar.
+(define (%mitres p d others)
+  (filter-map (lambda (e) (and (>= (distance (p+v origin d) (p+v origin e)) 1e-6) (make-half-space (make-plane p (v-v e d)))))
+              others))
 
 ; Returns the solids of a net: a ball at each node that has bars, then a bar for each member.
 (define (frame-members net r #:nodes [nodes any? 'balls] #:node-radius [node-radius any? #f])
@@ -88,7 +89,7 @@
                 (let* ((at-p (remove (lambda (e) (equal? e d)) (vector-ref around (first m))))
                        (at-q (remove (lambda (e) (equal? e back)) (vector-ref around (second m))))
                        (whole (make-cylinder (p-v p (v*r d (%mitre-reach d at-p r))) (p+v q (v*r d (%mitre-reach back at-q r))) r)))
-                  (%mitred (%mitred whole p d at-p) q back at-q))
+                  (apply subtract whole (append (%mitres p d at-p) (%mitres q back at-q))))
                 (make-cylinder (p+v p (v*r d inset)) (p-v q (v*r d inset)) r))))
         (append
           (if (eq? nodes 'balls)
