@@ -9,7 +9,7 @@ mkdir -p out
 page="-o out/$name.html"
 [ -s "$build/viewer.js" ] || { page=; rm -f "out/$name.html"; }
 echo "Making out/$name.png with POV-Ray, a minute or some, and $([ -z "$page" ] || echo "a page, ")a program and a mesh"
-"$vs" examples/$name.vs -o out/$name.png $page -o out/$name.scad -o out/$name.stl || status=$?
+"$vs" examples/$name.vs --units mm -o out/$name.png $page -o out/$name.scad -o out/$name.stl || status=$?
 tell() { [ ! -f "out/$name.$1" ] || printf '  out/%-22s %s\n' "$name.$1" "$2"; }
 echo
 echo "Made from examples/$name.vs:"

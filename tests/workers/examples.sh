@@ -27,7 +27,7 @@ echo "$examples" | while read -r name samples arguments; do
   wanted "$test" || continue
 
   # shellcheck disable=SC2086
-  "$vs" --quiet $arguments $model -o "$work/$name.pov" -o "$work/$name.scad" -o "$work/$name.stl" -o "$work/$name.x3d" 2> "$work/why" > /dev/null || echo "ended with $?" >> "$work/why"
+  "$vs" --quiet --units m $arguments $model -o "$work/$name.pov" -o "$work/$name.scad" -o "$work/$name.stl" -o "$work/$name.x3d" 2> "$work/why" > /dev/null || echo "ended with $?" >> "$work/why"
   result "$test:writes" "$work/why"
 
   : > "$work/why"
