@@ -95,6 +95,24 @@ static vs_status count_hours(vs_args *f, const vs_ray_tree *tree, double size, v
   return VS_OK;
 }
 
+/* Sets *out to a list with `step` for each sun that shines on the first place, and 0 for each other one. */
+static vs_status list_suns(vs_args *f, const vs_ray_tree *tree, double size, vs_value *out) {
+  const vs_arg *suns = &f->arg[2];
+  vs_vec3 normal = vs_v3_unit(f->arg[1].points.at[0]);
+  vs_vec3 from = vs_v3_add(f->arg[0].points.at[0], vs_v3_scale(normal, 1e-6 * size));
+  VS_ROOTS(f->vm, r, 1);
+  r[0] = VS_NIL;
+  for (size_t k = suns->points.count; k-- > 0;) {
+    vs_vec3 sun = suns->points.at[k];
+    double met;
+    bool lit = sun.z > 0 && vs_v3_dot(sun, normal) > 1e-9 &&
+               (!tree || vs_ray_tree_meet(tree, from, sun, INFINITY, true, &met) == tree->mesh->triangle_count);
+    if (!vs_cons(f->vm, vs_flonum(lit ? f->arg[3].real : 0), r[0], &r[0]) || !vs_poll(f->vm, 16)) return VS_ERROR;
+  }
+  *out = r[0];
+  return VS_OK;
+}
+
 /* Adds the triangles of an object that casts a shadow to the mesh `all`. */
 static bool add_shade(vs_args *f, vs_ref ref, vs_mesh *all) {
   vs_arg first = f->arg[0];
@@ -119,10 +137,9 @@ static bool add_shade(vs_args *f, vs_ref ref, vs_mesh *all) {
   return ok;
 }
 
-/* (%solar-hours points normals suns step among): returns a list of the hours of sunlight at each point, among objects
- * that cast shadows. Normals and the directions to the suns are given as points. Each sun, one position of the sun,
- * shines for `step` hours. */
-vs_status vs_p_solar_hours(vs_args *f, vs_value *out) {
+/* Calls `count` with the triangles of the objects that cast shadows. */
+static vs_status among_shades(vs_args *f, vs_status (*count)(vs_args *, const vs_ray_tree *, double, vs_value *),
+                              vs_value *out) {
   vs_mesh m = { 0 };
   vs_ray_tree tree = { 0 };
   vs_error e = { 0 };
@@ -133,8 +150,16 @@ vs_status vs_p_solar_hours(vs_args *f, vs_value *out) {
   vs_bounds b = vs_mesh_bounds(&m);
   bool any = ok && m.triangle_count > 0;
   if (any && !vs_ray_tree_make(&tree, f->store, &m, &e)) ok = vs_bind_error(f->vm, &e);
-  ok = ok && count_hours(f, any ? &tree : NULL, any ? vs_bounds_diagonal(&b) : 0, out);
+  ok = ok && count(f, any ? &tree : NULL, any ? vs_bounds_diagonal(&b) : 0, out);
   if (any) vs_ray_tree_free(&tree);
   vs_mesh_free(&m);
   return ok ? VS_OK : VS_ERROR;
 }
+
+/* (%solar-hours points normals suns step among): returns a list of the hours of sunlight at each point, among objects
+ * that cast shadows. Normals and the directions to the suns are given as points. Each sun, one position of the sun,
+ * shines for `step` hours. */
+vs_status vs_p_solar_hours(vs_args *f, vs_value *out) { return among_shades(f, count_hours, out); }
+
+/* (%suns-seen points normals suns step among): returns a list of `step` or 0 for each sun, for the only point. */
+vs_status vs_p_suns_seen(vs_args *f, vs_value *out) { return among_shades(f, list_suns, out); }

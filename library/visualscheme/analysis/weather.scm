@@ -81,13 +81,30 @@
              #:time (string-append (two-digits (- (fourth m) 1)) ending)))
       (weather-moments w))))
 
+; Returns n directions to the half of a sky of equal radiance above a plane, each with an equal part of the plane's light.
+(define (plane-directions normal n)
+  (let* ((z (unitize normal)) (x (unitize (cross z (if (< (abs (cx z)) 0.9) (vxyz 1 0 0) (vxyz 0 1 0))))) (y (cross z x)) (golden (* pi (- 3 (sqrt 5)))))
+    (map (lambda (k) ; the parts of the unit disc are equal: the light counts by the cosine to the plane
+           (let* ((part (/ (+ k 0.5) n)) (s (sqrt part)) (v (v+v (v+v (v*r x (* s (cos (* k golden)))) (v*r y (* s (sin (* k golden))))) (v*r z (sqrt (- 1 part))))))
+             (p+v origin v)))
+      (iota n))))
+
+; Returns the part of its directions in which a plane at a place sees the sky, and for each sun whether it is seen: 1 or 0.
+(define (seen-sky at normal among rays)
+  (let ((up (filter (lambda (d) (> (cz d) 0)) (plane-directions normal rays))))
+    (if (null? up) 0 (car (core:lit (list at) (list (p+v origin normal)) up (/ 1. rays) among)))))
+(define (seen-suns at normal among suns) (core:suns-seen (list at) (list (p+v origin normal)) (map (lambda (v) (p+v origin v)) suns) 1 among))
+
 ; Returns the radiation on a plane in each hour, in W/m2: the sun's, that of a sky of equal radiance (Liu and Jordan, 1963),
-; and that which the ground reflects.
-(define (irradiance w normal #:albedo [albedo any? 0.2])
+; and that which the ground reflects. Objects of `among` hide the sun and parts of the sky.
+(define (irradiance w normal #:albedo [albedo any? 0.2] #:at [at any? #f] #:among [among any? '()] #:rays [rays any? 4096])
   (need-weather 'irradiance w)
   (if (not (and (gvector? normal) (> (vlength normal) 0))) (error 'irradiance "normal must be a gvector with a length, got ~s" normal))
   (if (not (and (real? albedo) (<= 0 albedo 1))) (error 'irradiance "albedo must be a number from 0 to 1, got ~s" albedo))
-  (let* ((n (v/r normal (vlength normal))) (sky (/ (+ 1 (cz n)) 2)))
-    (map (lambda (sun direct diffuse global)
-           (+ (if (> (cz sun) 0) (* direct (max 0 (dot sun n))) 0) (* diffuse sky) (* albedo global (- 1 sky))))
-      (sun-directions w) (weather-hours w 'direct) (weather-hours w 'diffuse) (weather-hours w 'global))))
+  (let* ((n (v/r normal (vlength normal))) (sky (/ (+ 1 (cz n)) 2)) (objects (if (list? among) among (list among))) (hidden (pair? objects)) (suns (sun-directions w)))
+    (if (and hidden (not (point? at))) (error 'irradiance "#:among needs #:at, the point of the plane that objects may shade, got ~s" at))
+    (if (not (and (exact-integer? rays) (<= 16 rays 1000000))) (error 'irradiance "rays must be an exact integer from 16 to 1000000, got ~s" rays))
+    (map (lambda (sun seen open direct diffuse global)
+           (+ (if (> (cz sun) 0) (* direct seen (max 0 (dot sun n))) 0) (* diffuse open) (* albedo global (- 1 sky))))
+      suns (if hidden (seen-suns at n objects suns) (map (lambda (sun) 1) suns))
+      (make-list (length suns) (if hidden (seen-sky at n objects rays) sky)) (weather-hours w 'direct) (weather-hours w 'diffuse) (weather-hours w 'global))))

@@ -55,6 +55,15 @@
 (displayln (list (same? (list-ref up noon) (+ 100 (* 500 (cz sun)))) (same? (list-ref (irradiance sunny (vxyz 0 1 0) #:albedo 0) noon) (+ 50 (* 500 (max 0 (cy sun)))))
   (same? (list-ref (irradiance sunny sun #:albedo 0) noon) (+ 500 (* 50 (+ 1 (cz sun))))) (list-ref up 2)))
 ; expect: (#t #t #t 0.0)
+; objects in the way: a wall hides sun and sky behind it; a roof hides all the sky of a level place
+(define there (xyz 0 0 0))
+(define screen (make-box (xyz -1e5 -1 -1) (xyz 1e5 -0.9 1e5)))
+(define shaded (irradiance sunny (vxyz 0 0 1) #:at there #:among screen))
+(displayln (list (near? (list-ref shaded noon) (+ 50 (* 500 (if (< (cy sun) 0) 0 (cz sun)))) 0.5) (list-ref shaded 2))) ; expect: (#t 0.0)
+(displayln (every (lambda (a b) (near? a b 0.1)) (irradiance sunny sun #:at there #:among (make-box (xyz 0 0 -9) (xyz 1 1 -8))) (irradiance sunny sun))) ; expect: #t
+(displayln (every (lambda (x) (= x 0)) (irradiance sunny (vxyz 0 0 1) #:at there #:among (make-box (xyz -1 -1 -1) (xyz 1 1 1))))) ; expect: #t
+(fails (irradiance sunny (vxyz 0 0 1) #:among screen)) ; expect: irradiance: #:among needs #:at, the point of the plane that objects may shade, got #f
+(fails (irradiance sunny (vxyz 0 0 1) #:rays 3)) ; expect: irradiance: rays must be an exact integer from 16 to 1000000, got 3
 (define south (monthly-sums sunny (irradiance sunny (vxyz 0 -1 0))))
 (displayln (list (> (first south) (first (monthly-sums sunny (irradiance sunny (vxyz 0 1 0))))) (same? (apply + south) (apply + (irradiance sunny (vxyz 0 -1 0)))) (every (lambda (m) (same? m 10)) (monthly-means sunny (weather-hours sunny 'temperature)))))
 ; expect: (#t #t #t)
