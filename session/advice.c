@@ -10,6 +10,7 @@
 #include "bind/constructors/regroup.h"
 #include "bind/objects.h"
 #include "bind/procedures.h"
+#include "model/looks/ready_materials.h"
 #include "session/file_advice.h"
 #include "session/report.h"
 #include "session/source_outline.h"
@@ -130,6 +131,14 @@ static const struct { const char *operators, *keywords, *words; bool first; cons
   { "units", "", "m mm cm in ft", true, "'", "the name of a unit has a quote before it" },
 };
 
+/* Returns true if the word of n characters names a ready material. */
+static bool is_material(const char *word, size_t n) {
+  const char *name;
+  for (size_t i = 0; (name = vs_ready_material_name(i)); i++)
+    if (strlen(name) == n && !memcmp(name, word, n)) return true;
+  return false;
+}
+
 static bool advise_word(place p, size_t n, size_t bare, vs_text *t) {
   const char *before;
   size_t length, m;
@@ -141,6 +150,9 @@ static bool advise_word(place p, size_t n, size_t bare, vs_text *t) {
       continue;
     if (meant[i].words ? !is_word_of(meant[i].words, p.at, n) : t->count > bare) continue;
     t->count = bare;
+    if (is_word_of("#:material", meant[i].keywords, strlen(meant[i].keywords)) && !is_material(p.at, n))
+      return vs_text_puts(t, "; no ready material has this name: vs help materials lists them, such as wood and "
+                          "'aluminium");
     return vs_text_printf(t, "; %s: %s%.*s%s", meant[i].what, meant[i].mark, (int)n, p.at,
                           *meant[i].mark == '"' ? "\"" : "");
   }
