@@ -79,6 +79,7 @@
         ((not (solid? o)) 0)
         (own (* (volume o) (cdr own)))
         (known (* (volume o) (expt (cadddr looks) 3) (cdr known)))
+        ((equal? name "") (error 'schedule "there is no mass without a material: (with-material 'oak ~a) gives one" (car looks)))
         (else (error 'schedule "there is no density of ~s: #:densities '((~s . 700)) gives one" name name)))))
   (define (measure o looks c)
     (case c

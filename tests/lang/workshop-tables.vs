@@ -73,6 +73,7 @@
 (fails (schedule walls 'colour))                           ; expect: schedule: a column is one of (name part layer material count length area volume mass cost), a procedure of an object, or a pair of a name and a procedure, got colour
 (fails (schedule (list walls 3) 'count))                   ; expect: schedule: objects must be a list of objects, got 3
 (fails (schedule (with-material 'oak (wall 1)) 'mass))     ; expect: schedule: there is no density of "oak": #:densities '(("oak" . 700)) gives one
+(fails (schedule (wall 1) 'mass))                          ; expect: schedule: there is no mass without a material: (with-material 'oak box) gives one
 (fails (schedule walls 'cost #:rates '((brick 3))))        ; expect: schedule: rates must be a list of (name measure rate), such as ("concrete" volume 180), got ((brick 3))
 (fails (schedule walls 'count #:digits -1))                ; expect: schedule: digits must be an exact integer from 0 to 15, got -1
 (fails (cut-list walls 'mark 'cost))                        ; expect: cut-list: a column is one of (mark count length width thickness name layer material area volume mass), a procedure of an object, or a pair of a name and a procedure, got cost
