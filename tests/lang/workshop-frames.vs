@@ -51,7 +51,8 @@
 ; 199 mitred bars of a curved roof, which took half a minute with half-spaces as long as the bars
 (define (shell u v) (xyz (* 20 u) (* 12 v) (+ 4 (* 8 u (- 1 u)) (* 4 v (- 1 v)))))
 (define shell-bars (frame-members (panel-net (panel-corners shell (quad-grid 10 9))) 0.05 #:nodes 'mitred))
-(displayln (near? (volume (unite shell-bars)) (apply + (map volume shell-bars)) 1e-6))
+; the union has bars of 32 facets, a single bar the volume of its formula
+(displayln (near? (/ (volume (unite shell-bars)) (total (map volume shell-bars))) (* (/ 16 pi) (sin (/ pi 16))) 1e-3))
 ; expect: #t
 
 ; a space frame: every point carries bars, and no bar is twice there
