@@ -88,8 +88,8 @@ class OutputOptions(Structure):
     _fields_ = [("width", c_int), ("height", c_int), ("quality", c_int), ("development", Development),
                 ("layers", c_bool), ("view", c_char_p), ("part", c_char_p), ("has_camera", c_bool), ("camera", c_double * 7),
                 ("has_sun", c_bool), ("sun", c_double * 2), ("tolerance", c_double), ("segments", c_int), ("least_segments", c_int),
-                ("passes", c_uint), ("count", c_bool), ("strict", c_bool), ("change", c_bool), ("last", c_bool),
-                ("crop", c_int * 4), ("threads", c_uint), ("look", c_char_p)]
+                ("passes", c_uint), ("count", c_bool), ("strict", c_bool), ("change", c_bool), ("up_y", c_bool),
+                ("units", c_char_p), ("last", c_bool), ("crop", c_int * 4), ("threads", c_uint), ("look", c_char_p)]
 
 
 class Statistic(Structure):
@@ -171,7 +171,7 @@ LEFT_OUT = {
         "vs_handle_host vs_handle_get_host"),
     "their likes with a length take zero bytes, too": "vs_handle_text vs_handle_get_text",
     "an error or the manual lists the formats and passes": (
-        "vs_format_list vs_format_endings vs_format_find vs_format_of vs_pass_list vs_look_list "
+        "vs_format_list vs_format_endings vs_format_find vs_format_of vs_pass_list vs_look_list vs_unit_name "
         "vs_output_statistics vs_view_name vs_part_names"),
     "the command vs does this with files, and no value of the program takes part": (
         "vs_drawing_keep vs_drawing_compare vs_check_waits vs_check_next vs_check_redefined vs_fit_options_default vs_fit vs_fit_parameter_get vs_fit_distances "

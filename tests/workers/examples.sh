@@ -100,7 +100,7 @@ echo "$listings" | while read -r name samples arguments; do
   model=examples/thesis/$name.vs test=examples/thesis/$name
   wanted "$test" || continue
   # shellcheck disable=SC2086
-  "$vs" --quiet $arguments $model -o "$work/l.stl" -o "$work/l.pov" -o "$work/l.scad" -o "$work/l.x3d" > "$work/why" 2>&1 || echo "ended with $?" >> "$work/why"
+  "$vs" --quiet --units m $arguments $model -o "$work/l.stl" -o "$work/l.pov" -o "$work/l.scad" -o "$work/l.x3d" > "$work/why" 2>&1 || echo "ended with $?" >> "$work/why"
   mesh=$("$BUILD/tools/stlcheck" "$work/l.stl" 2>> "$work/why") || echo "not closed: $mesh" >> "$work/why"
   # shellcheck disable=SC2086
   chance=$("$vs" --quiet -D samples=$samples tests/tools/before.vs $arguments $model tests/tools/volume.vs 2> /dev/null)
@@ -114,7 +114,7 @@ done
 # The three trees with twelve facets a turn: closed, and with the volume that corresponds to the round ones' 397, which
 # LONG=1 finds by random points.
 if wanted examples/thesis/5.4-parametrisations && [ -z "$LONG" ]; then
-  "$vs" --quiet --segments 12 examples/thesis/5.4-parametrisations.vs -o "$work/l.stl" > "$work/why" 2>&1
+  "$vs" --quiet --units m --segments 12 examples/thesis/5.4-parametrisations.vs -o "$work/l.stl" > "$work/why" 2>&1
   "$BUILD/tools/stlcheck" "$work/l.stl" 2>> "$work/why" | awk '!($4 > 382.542 * 0.999 && $4 < 382.542 * 1.001) { print "volume " $4 ", not 382.542" }' >> "$work/why"
   [ -s "$work/l.stl" ] || echo "nothing is written" >> "$work/why"
   result "examples/thesis/5.4-parametrisations:coarse" "$work/why"
