@@ -24,6 +24,7 @@
 #include "passes/rewrite.h"
 #include "model/store/array.h"
 
+enum { FACET_WORK = 64 }; /* work for a facet of a part, in the units of vs_store_going */
 enum { PARTS_MOST = 4000, PAIRS_MOST = 1000000 }; /* PARTS_MOST, PAIRS_MOST: greatest number of parts of one set, and of
                                                    * pairs of parts, that are compared. In a set that exceeds them,
                                                    * every part counts as flush (having a face in a plane with another
@@ -45,6 +46,7 @@ typedef struct {
   double step;      /* step to which a plane's distance from the origin is rounded, so that equal planes have equal
                      * keys */
   vs_vec3 middle;
+  vs_error *error;  /* error of the pass, set if the run is interrupted */
 } flush;
 
 static void flush_free(flush *f) {
@@ -121,6 +123,7 @@ static bool add_part(flush *f, const vs_node *n, const vs_affine *placed, uint32
             c = mesh.vertices[mesh.triangles[i][2]];
     ok = add_plane(f, vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a)), a, operand);
   }
+  ok = ok && vs_store_going(n->store, FACET_WORK * ((uint32_t)mesh.triangle_count + 1), f->error);
   vs_mesh_free(&mesh);
   if (f->count > from) qsort(f->planes + from, f->count - from, sizeof *f->planes, compare_planes);
   size_t kept = from;
@@ -270,7 +273,7 @@ static vs_node *part_flush(vs_rewrite *w, const vs_node *n, const vs_ref *kids, 
       vs_node_bounds(n->kind == VS_DIFFERENCE ? kids[0].node : n, &reach, &ignored) ? vs_bounds_diagonal(&reach) : 0;
   if (starved(&ignored)) return NULL;
   if (!(diagonal > 0) || !isfinite(diagonal)) return vs_rewrite_keep(w, n, kids);
-  flush f = { .step = 1e-7 * diagonal, .middle = vs_v3_scale(vs_v3_add(reach.min, reach.max), 0.5) };
+  flush f = { .error = w->error, .step = 1e-7 * diagonal, .middle = vs_v3_scale(vs_v3_add(reach.min, reach.max), 0.5) };
   unsigned char *marked = vs_zeros(n->child_count, 1);
   vs_ref *now = vs_fresh(n->child_count, sizeof *now);
   bool ok = marked && now, too_many = false, any = false;
