@@ -41,7 +41,7 @@ OBJECTS   = $(LIB_OBJ) $(CLI_OBJ)
 # Files that go into the library as they are: NAME.EXT is const char vs_asset_NAME_EXT[] up to vs_asset_NAME_EXT_end[]. They have a section of their
 # own, vs_files, so that the constants that a start reads lie together. The viewer's scripts are bundled with three.js by esbuild, both from npm (scripts/install.sh). A
 # release has the bundles in bundled/ (scripts/dist.sh). Without either the bundle is empty, and writing a page says so.
-ASSETS    = backends/page/page.html backends/page/viewer.css $(BUILD)/viewer.js
+ASSETS    = backends/page/page.html backends/page/viewer.css $(BUILD)/viewer.js backends/autolisp/definitions.lsp
 ESBUILD   = $(firstword $(wildcard node_modules/@esbuild/*/bin/esbuild))
 BUNDLE    = $(ESBUILD) --bundle --minify --format=iife --target=es2022 --legal-comments=eof --log-level=warning
 UNBUNDLED = if [ -f bundled/$(@F) ]; then cp bundled/$(@F) $@; else : > $@; fi

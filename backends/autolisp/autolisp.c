@@ -1,14 +1,18 @@
-/* Writes AutoLISP programs for AutoCAD. An expression makes each object: calls of the functions of autolisp_head.c,
+/* Writes AutoLISP programs for AutoCAD. An expression makes each object: calls of the functions of definitions.lsp,
  * nested as the operations of the drawing. A solid that AutoCAD has no command for becomes a mesh, which CONVTOSOLID
  * converts. */
 #include <math.h>
 #include <string.h>
 
-#include "backends/autolisp/autolisp_head.h"
 #include "backends/backend.h"
 #include "backends/lower.h"
 #include "geometry/plane/outline.h"
 #include "geometry/plane/planar_evaluation.h"
+
+/* definitions.lsp: a function for each kind of solid. Each returns the entity that it made, or nil if nothing is left.
+ * vs:color and vs:layer are parameters of the lambdas around a painted part. The scope of AutoLISP is dynamic, so the
+ * innermost lambda determines the look. */
+extern const char vs_asset_definitions_lsp[], vs_asset_definitions_lsp_end[];
 
 static vs_emit_status lisp_done(vs_emitter *e) { return e->out->failed ? VS_FAILED : VS_EMITTED; }
 
@@ -268,9 +272,11 @@ static bool lisp_begin(vs_emitter *e) {
   vs_puts(e->out, "; ");
   vs_put_spelled(e->out, vs_spell_line, e->scene->title); /* escapes line breaks, which would end the comment */
   vs_puts(e->out, ": a program for AutoCAD, made by VisualScheme\n\n");
-  return vs_puts(e->out, vs_autolisp_head);
+  return vs_put(e->out, vs_asset_definitions_lsp, (size_t)(vs_asset_definitions_lsp_end - vs_asset_definitions_lsp));
 }
-static bool lisp_end(vs_emitter *e) { return vs_puts(e->out, vs_autolisp_foot); }
+static bool lisp_end(vs_emitter *e) {
+  return vs_puts(e->out, "\n(command \"_.UCS\" \"_Previous\")\n(mapcar 'setvar vs:kept vs:before)\n(princ)\n");
+}
 
 const vs_backend vs_backend_autolisp = {
   .begin = lisp_begin, .end = lisp_end, .define = lisp_define, .use = lisp_use, .traits = VS_KEEPS_TEXT,
