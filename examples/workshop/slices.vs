@@ -12,11 +12,15 @@
 (define vase (subtract outside (do-move (do-scale outside origin '(0.55 0.55 1)) (vxyz 0 0 12))))
 
 (define sheets (slices vase thickness #:registration 'dowels #:diameter dowel))
-(printf "~a sheets, ~a square centimetres to cut~%" (length sheets) (round (/ (apply + (map area sheets)) 100)))
+(printf "~a sheets, ~a square centimetres to cut~%"
+        (length sheets)
+        (round (/ (apply + (map area sheets)) 100)))
 
 ; in rows, each as wide as the vase; all in one plane
 (define-values (low high) (apply values (bounding-box vase)))
 (define pitch (+ 4 (- (cx high) (cx low))))
 (for ([s sheets] [i (in-naturals)])
-  (draw (do-move s (vxyz (* pitch (remainder i 5)) (* pitch (quotient i 5)) (- (cz (first (bounding-box s))))))))
+  (define place
+    (vxyz (* pitch (remainder i 5)) (* pitch (quotient i 5)) (- (cz (first (bounding-box s))))))
+  (draw (with-material 'plywood (do-move s place))))
 (view "cutting" 'top #:sheet 'none)
