@@ -4,6 +4,7 @@
 ;
 ; What it teaches: points of a drawing become nodes of a frame, design-cases makes the combinations of EN 1990,
 ; utilisation checks each member by EN 1993, vibration-modes finds how the roof swings.
+; The sections and the shares of the wind are choices of this example, not those of the station.
 ;
 ;   vs gare-analysed.vs -D factor=50 -o moved.html
 ;   vs gare-analysed.vs -D wind=40 -o storm.png
