@@ -4,8 +4,8 @@ case page in *"${ONLY%%/*}"*) ;; *) exit 0 ;; esac
 command -v chromium > /dev/null || { echo "skip page: no chromium (package chromium)"; exit 0; }
 [ -d tests/node_modules/playwright-core ] && [ -d node_modules/three ] || { echo "skip page: no playwright-core or no viewer (make check fetches both)"; exit 0; }
 . tests/report.sh
-# The choice of parts that a picture omits, and the unpacking of a tree into parts, need no browser.
-for name in budget parts; do node tests/page/$name.mjs || echo "not ok page/$name: ended with $?"; done
+# The choice of parts that a picture omits, the unpacking of a tree into parts, and readings need no browser.
+for name in budget parts measure; do node tests/page/$name.mjs || echo "not ok page/$name: ended with $?"; done
 for model in examples/*.vs; do
   name=$(basename "$model" .vs)
   case $name in city) set -- -D blocks=2 -D tallest=6 ;; *) set -- ;; esac

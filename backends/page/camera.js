@@ -28,6 +28,8 @@ export class CameraControl {
     this.changed = () => {};
     // returns the number of pixels at the picture's lower border that are under or next to buttons
     this.covered = () => 0;
+    // returns the number of pixels at the picture's right border that something covers
+    this.beside = () => 0;
     stage.onFrame((time) => this.#step(time));
     this.#listen(stage.canvas);
   }
@@ -88,6 +90,8 @@ export class CameraControl {
     const half = Math.tan(s.angle / 2), tall = half / margin, wide = tall * aspect;
     // tangent of the visible half angle below the middle, above the buttons
     const low = Math.min(tall, half * Math.max(0.4, 1 - 2 * this.covered() / Math.max(1, canvas.clientHeight)));
+    // tangent of the visible half angle right of the middle
+    const free = Math.min(wide, half * aspect * Math.max(0.1, 1 - 2 * this.beside() / Math.max(1, canvas.clientWidth)));
     const r = this.right(s), u = this.up(s), f = this.direction(s).negate(), corners = this.corners(box);
     const middle = corners[0].clone().add(corners[7]).multiplyScalar(0.5);
     const most = { r: -Infinity, l: -Infinity, t: -Infinity, b: -Infinity }, flat = { ...most };
@@ -95,13 +99,13 @@ export class CameraControl {
     for (let i = 0; i < outer.length; i += 3) {
       c.set(outer[i], outer[i + 1], outer[i + 2]).sub(middle);
       const x = c.dot(r), y = c.dot(u), z = c.dot(f);
-      most.r = Math.max(most.r, x - z * wide), most.l = Math.max(most.l, -x - z * wide);
+      most.r = Math.max(most.r, x - z * free), most.l = Math.max(most.l, -x - z * wide);
       most.t = Math.max(most.t, y - z * tall), most.b = Math.max(most.b, -y - z * low);
       flat.r = Math.max(flat.r, x), flat.l = Math.max(flat.l, -x), flat.t = Math.max(flat.t, y), flat.b = Math.max(flat.b, -y);
     }
     const used = s.parallel ? flat : most;
-    const width = (used.r + used.l) / (2 * wide), height = (used.t + used.b) / (tall + low), distance = Math.max(width, height, 1e-6) || 1;
-    const target = middle.addScaledVector(r, (used.r - used.l) / 2).addScaledVector(u, (used.t - used.b + (low - tall) * distance) / 2);
+    const width = (used.r + used.l) / (free + wide), height = (used.t + used.b) / (tall + low), distance = Math.max(width, height, 1e-6) || 1;
+    const target = middle.addScaledVector(r, (used.r - used.l + (wide - free) * distance) / 2).addScaledVector(u, (used.t - used.b + (low - tall) * distance) / 2);
     return { ...s, target, distance };
   }
 
@@ -111,6 +115,25 @@ export class CameraControl {
     if (name === "start") return this.go(this.start());
     const v = VIEWS[name], yaw = this.#nearest(v.yaw);
     this.go(this.framed({ ...this.state, yaw, pitch: v.pitch, parallel: v.parallel }, this.stage.model.box));
+  }
+  // Shows the model from a direction, in a parallel view.
+  from(yaw, pitch) {
+    this.walking = false;
+    this.go(this.framed({ ...this.state, yaw: this.#nearest(yaw), pitch, parallel: true }, this.stage.model.box));
+  }
+  // Returns true if no corner of the model's box is in the picture, or the model is smaller than a twentieth of it.
+  outOfFrame() {
+    const { model, camera } = this.stage;
+    if (!model || model.count === 0) return false;
+    const low = [Infinity, Infinity], high = [-Infinity, -Infinity];
+    let behind = 0;
+    for (const corner of this.corners(model.box)) {
+      if (!this.state.parallel && corner.clone().applyMatrix4(camera.matrixWorldInverse).z >= 0) { behind++; continue; }
+      corner.project(camera);
+      [corner.x, corner.y].forEach((v, k) => { low[k] = Math.min(low[k], v); high[k] = Math.max(high[k], v); });
+    }
+    if (behind > 0) return behind === 8;
+    return low.some((v) => v > 1) || high.some((v) => v < -1) || Math.max(high[0] - low[0], high[1] - low[1]) < 0.1;
   }
   #nearest(yaw) { return yaw + 2 * Math.PI * Math.round((this.state.yaw - yaw) / (2 * Math.PI)); }
 

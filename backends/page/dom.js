@@ -35,6 +35,8 @@ const ICONS = {
   play: "M8 5.5v13l11-6.5z",
   back: "M18 6v12L9 12zM6 6v12",
   on: "M6 6v12l9-6zM18 6v12",
+  fold: "M20 5v14M15 8l-4 4 4 4M11 12h-7",
+  unfold: "M4 5v14M9 8l4 4-4 4M13 12h7",
   flip: "M7 4v16M4 7l3-3 3 3M17 20V4M14 17l3 3 3-3",
 };
 export function icon(name) {

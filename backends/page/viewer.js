@@ -3,18 +3,17 @@
 import * as THREE from "three";
 import { Stage } from "./stage.js";
 import { CameraControl } from "./camera.js";
+import { ViewCube } from "./cube.js";
+import { Grid } from "./grid.js";
 import { pick, rayAt, snap, toScreen } from "./pick.js";
+import { length } from "./lengths.js";
+import { Measures } from "./measure.js";
 import { el, svg, icon } from "./dom.js";
 import { Panel } from "./panel.js";
 
 const AXES = { x: new THREE.Vector3(1, 0, 0), y: new THREE.Vector3(0, 1, 0), z: new THREE.Vector3(0, 0, 1) };
 const MODES = [["top", "Top", "7"], ["bottom", "Bottom", ""], ["front", "Front", "1"], ["back", "Back", ""], ["left", "Left", ""], ["right", "Right", "3"], ["iso", "Isometric", "0"], ["start", "First view", "R"]];
-const SHOWS = [["edges", "Edges", "E"], ["shadows", "Shadows", ""], ["occlusion", "Ambient occlusion", ""], ["wireframe", "Wireframe", "W"], ["dark", "Dark", "D"]];
-
-export function length(x, units) {
-  const a = Math.abs(x), digits = a >= 1000 ? 0 : a >= 100 ? 1 : a >= 1 ? 2 : 4;
-  return Number(x.toFixed(digits)).toLocaleString("en", { maximumFractionDigits: digits, useGrouping: false }) + (units ? " " + units : "");
-}
+const SHOWS = [["edges", "Edges", "E"], ["shadows", "Shadows", ""], ["occlusion", "Ambient occlusion", ""], ["grid", "Grid and axes", "N"], ["wireframe", "Wireframe", "W"], ["dark", "Dark", "D"]];
 
 // Returns a step of 1, 2 or 5 times a power of ten that is about a four-hundredth of a length.
 function niceStep(span) {
@@ -45,12 +44,17 @@ export class Viewer {
     this.handles = []; // Points that the user can drag: { name, at, drag(xyz) }, in the model's coordinates.
     this.filter = null; // A function that returns true for the parts that the picture shows; null: it shows all.
     this.keys = {};
-    this.measures = [];
+    this.measures = new Measures();
+    this.beside = () => 0; // Returns the number of pixels at the picture's right border that something covers.
     this.onSelect = () => {};
     this.#build();
+    this.grid = new Grid(this.stage);
+    this.cube = new ViewCube(this.control, { view: (name) => { this.touched = true; this.view(name); }, from: (yaw, pitch) => { this.touched = true; this.control.from(yaw, pitch); this.#pressed(); } });
+    this.root.append(this.cube.root);
     this.control.depthAt = (x, y) => pick(this.stage, x, y)?.point || null;
     this.control.click = (x, y) => this.#click(x, y);
-    this.control.changed = () => this.#drawOverlay();
+    this.control.changed = () => { this.cube.draw(); this.#drawOverlay(); };
+    this.control.beside = () => this.beside();
     this.control.covered = () => this.bar.offsetHeight === 0 ? 0 : Math.max(0, 8 + this.canvas.getBoundingClientRect().bottom - this.bar.getBoundingClientRect().top);
     this.setDark(matchMedia("(prefers-color-scheme: dark)").matches);
     new ResizeObserver(() => {
@@ -67,8 +71,9 @@ export class Viewer {
   // ---- the model ----
 
   // Shows a model. keep: true if the camera stays, for a new version of the same model. aside: true if the model only
-  // shows more details of the previous model, so that title and size stay.
-  show(model, keep = false, aside = false) {
+  // shows more details of the previous model, so that title and size stay. moving: true for a frame of an animation,
+  // which the camera does not follow out of the picture.
+  show(model, keep = false, { aside = false, moving = false } = {}) {
     // grown: true if the model was empty, so that there was no view to keep
     const was = this.model, grown = was?.count === 0 && model.count > 0;
     const first = !was || !keep || grown;
@@ -78,12 +83,13 @@ export class Viewer {
     if (first) for (const set of Object.values(this.hidden)) set.clear();
     else if (!same) this.hidden.parts.clear();
     if (!same || this.chosen.length === 0) this.select([]);
-    this.measures = [];
+    this.measures.clear();
     document.title = model.title;
     this.heading.textContent = model.title;
     if (!aside) this.facts.textContent = model.count === 0 ? "" : model.size.map((s) => length(s)).join(" × ") + " " + model.units;
     this.stage.resize();
     this.stage.setModel(model, this.shown);
+    if (this.gridShown) this.grid.show(model);
     if (this.chosen.length > 0) this.#showMarks();
     if (first) {
       this.touched = this.handlesFramed = false;
@@ -92,6 +98,7 @@ export class Viewer {
     } else {
       if (this.section) this.setSection(this.section);
       this.control.apply();
+      if (!this.control.walking && !moving && !aside && this.control.outOfFrame()) this.control.reset();
       this.stage.now();
     }
     this.panel.refresh();
@@ -165,14 +172,14 @@ export class Viewer {
         SHOWS.map(([name, label, key]) => item(label, key, () => this.toggle(name), { role: "menuitemcheckbox", "data-show": name }))),
     };
     this.sectionStrip = this.#sectionStrip();
-    this.measureStrip = el("div", { class: "strip glass words-only", role: "status", hidden: true }, el("span", { class: "words" }, "Click a corner, an edge or a face"));
+    this.measureStrip = el("div", { class: "strip glass words-only", role: "status", hidden: true }, el("span", { class: "words" }, "Click corners, edges or faces; Esc takes the last reading away"));
     this.card = el("aside", { class: "card glass", "aria-label": "What is chosen", hidden: true });
     this.help = el("div", { class: "help glass", role: "dialog", "aria-label": "Help", hidden: true },
       el("button", { type: "button", class: "close", "aria-label": "Close", onclick: () => this.toggleHelp() }, icon("close")),
       el("h2", {}, "Moving about"),
       this.helpList = el("dl"));
     this.addHelp([["Turn", "drag, one finger, or the arrow keys"], ["Move", "right or middle drag, shift-drag, two fingers, or shift and arrows"], ["Zoom", "wheel or pinch, towards the pointer; plus and minus"],
-        ["Go to", "double click"], ["Choose", "click; H hides what is chosen, F frames it, Esc lets it go"], ["Walk", "W A S D or arrows, drag to look, Q and E down and up"], ["Keys", "X section, M measure, P parallel, G walk, 1 3 7 0 views, L lists, E edges, D dark"]]);
+        ["Go to", "double click"], ["Choose", "click; H hides what is chosen, F frames it, Esc lets it go"], ["Walk", "W A S D or arrows, drag to look, Q and E down and up"], ["Keys", "X section, M measure, P parallel, G walk, 1 3 7 0 views, L lists, E edges, N grid, D dark"]]);
     this.says = el("div", { class: "live", role: "status", "aria-live": "polite" });
     this.panel = new Panel(this);
     this.root.append(this.head, this.panel.root, this.card, this.sectionStrip, this.measureStrip, this.menus.views, this.menus.display, this.bar, this.help, this.says);
@@ -200,7 +207,7 @@ export class Viewer {
     }
   }
   #marksOfMenus() {
-    for (const b of this.menus.display.querySelectorAll("[data-show]")) b.setAttribute("aria-checked", String(!!this.stage.options[b.dataset.show]));
+    for (const b of this.menus.display.querySelectorAll("[data-show]")) b.setAttribute("aria-checked", String(b.dataset.show === "grid" ? !!this.gridShown : !!this.stage.options[b.dataset.show]));
   }
 
   fit() {
@@ -223,8 +230,17 @@ export class Viewer {
   toggleWalk() { this.control.walk(!this.control.walking); this.canvas.focus(); this.#pressed(); }
   toggle(name) {
     if (name === "dark") this.setDark(!this.stage.options.dark);
+    else if (name === "grid") this.setGrid(!this.gridShown);
     else this.stage.setOptions({ [name]: !this.stage.options[name] });
     this.#marksOfMenus();
+  }
+  setGrid(shown) {
+    this.gridShown = shown;
+    if (shown && this.model) this.grid.show(this.model);
+    else this.grid.clear();
+    this.stage.touch();
+    this.#marksOfMenus();
+    this.#drawOverlay();
   }
   setDark(dark) {
     document.documentElement.classList.toggle("dark", dark);
@@ -255,7 +271,7 @@ export class Viewer {
     if (this.control.walking && event.target === this.canvas && ["w", "a", "s", "d", "q", "e"].includes(key)) return;
     const does = {
       f: () => this.fit(), r: () => this.view("start"), p: () => this.toggleParallel(), g: () => this.toggleWalk(), x: () => this.buttons.section.click(), m: () => this.setMeasuring(!this.measuring),
-      l: () => this.togglePanel(), e: () => this.toggle("edges"), w: () => this.toggle("wireframe"), d: () => this.toggle("dark"), "?": () => this.toggleHelp(),
+      l: () => this.togglePanel(), e: () => this.toggle("edges"), n: () => this.toggle("grid"), w: () => this.toggle("wireframe"), d: () => this.toggle("dark"), "?": () => this.toggleHelp(),
       7: () => this.view("top"), 1: () => this.view("front"), 3: () => this.view("right"), 0: () => this.view("iso"), t: () => this.view("top"),
       h: () => this.hideChosen(), escape: () => this.#escape(),
     }[key] || this.keys[key];
@@ -269,7 +285,7 @@ export class Viewer {
     if (open) this.#menu(open), this.buttons[open].focus();
     else if (!this.help.hidden) this.toggleHelp(), this.buttons.help.focus();
     else if (this.control.walking) this.toggleWalk();
-    else if (this.measures.length > 0) this.measures = [], this.#drawOverlay();
+    else if (this.measures.count > 0) this.measures.takeAway(), this.#drawOverlay();
     else if (this.measuring) this.setMeasuring(false);
     else this.select([]);
   }
@@ -293,9 +309,7 @@ export class Viewer {
     this.#menu(null);
     if (this.measuring) {
       const found = snap(this.stage, x, y);
-      if (found) this.measures.length >= 2 ? this.measures = [found] : this.measures.push(found);
-      const told = this.#measured();
-      if (told) this.say(told);
+      if (found) this.say(this.measures.add(found, this.model.units, this.model.middle));
       return this.#drawOverlay();
     }
     this.onRay?.(this.#worldRay(x, y));
@@ -346,29 +360,13 @@ export class Viewer {
 
   setMeasuring(on) {
     this.measuring = on;
-    this.measures = [];
+    if (!on) this.measures.clear();
     this.root.classList.toggle("measuring", on);
     this.measureStrip.hidden = !on;
     if (on) this.setSectionStrip(false);
     else if (this.section) this.setSectionStrip(true);
     this.#pressed();
     this.#drawOverlay();
-  }
-
-  #measured() {
-    const u = this.model.units, [a, b] = this.measures, angle = (p, q) => (Math.acos(Math.min(1, Math.abs(p.dot(q)))) * 180 / Math.PI).toFixed(1) + "°";
-    if (!a) return "";
-    const way = (e) => e.ends[1].clone().sub(e.ends[0]).normalize();
-    if (!b) {
-      const p = a.at.clone().add(new THREE.Vector3(...this.model.middle));
-      return a.kind === "point" ? p.toArray().map((v) => length(v)).join(", ") : a.kind === "edge" ? length(a.length, u) : length(a.area, u + "²");
-    }
-    if (a.kind === "edge" && b.kind === "edge") return angle(way(a), way(b));
-    if (a.kind === "face" && b.kind === "face") {
-      const dot = Math.abs(a.normal.dot(b.normal));
-      return dot > 0.99999 ? length(Math.abs(a.normal.dot(b.at.clone().sub(a.at))), u) : angle(a.normal, b.normal);
-    }
-    return length(a.at.distanceTo(b.at), u);
   }
 
   // ---- the section ----
@@ -407,7 +405,7 @@ export class Viewer {
     if (!this.measuring || this.control.pointers.size > 0) return;
     const r = this.canvas.getBoundingClientRect();
     const found = snap(this.stage, event.clientX - r.left, event.clientY - r.top);
-    this.hovered = found;
+    this.measures.hovered = found;
     this.#drawOverlay();
   }
 
@@ -415,24 +413,10 @@ export class Viewer {
     if (!this.stage?.camera || !this.model) return;
     const shapes = [], at = (p) => toScreen(this.stage, p);
     if (this.section) shapes.push(...this.#sectionShapes(at));
-    const mark = (m, faint) => {
-      if (m.ends) {
-        const [a, b] = m.ends.map(at);
-        if (!a.behind && !b.behind) shapes.push(svg("line", { x1: a.x, y1: a.y, x2: b.x, y2: b.y, class: "measure", opacity: faint ? 0.6 : 1 }));
-      }
-      const p = at(m.at);
-      if (!p.behind) shapes.push(svg("circle", { cx: p.x, cy: p.y, r: faint ? 4 : 5, class: "dot", opacity: faint ? 0.7 : 1 }));
-    };
-    if (this.measuring) {
-      if (this.hovered && this.measures.length < 2) mark(this.hovered, true);
-      this.measures.forEach((m) => mark(m, false));
-      const text = this.#measured(), [a, b] = this.measures;
-      if (text) {
-        const p = at(a.at), q = b ? at(b.at) : p;
-        if (b) shapes.push(svg("line", { x1: p.x, y1: p.y, x2: q.x, y2: q.y, class: "measure", "stroke-dasharray": "5 4" }));
-        const x = (p.x + q.x) / 2, y = (p.y + q.y) / 2 - 20, w = 14 + 7.4 * text.length;
-        shapes.push(svg("rect", { x: x - w / 2, y: y - 12, width: w, height: 24, rx: 7, class: "label" }), svg("text", { x, y, class: "reading" }, text));
-      }
+    if (this.measuring) shapes.push(...this.measures.shapes(at, this.model.units, this.model.middle));
+    for (const tick of this.grid.numbers(this.stage.camera.position)) {
+      const p = at(tick.at);
+      if (!p.behind) shapes.push(svg("text", { x: p.x, y: p.y + 10, class: "tick" }, tick.text));
     }
     for (const handle of this.handles) shapes.push(...this.#handleShapes(handle, at));
     this.overlay.replaceChildren(...shapes);

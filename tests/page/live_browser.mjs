@@ -53,6 +53,82 @@ await test("a check mark and a choice evaluate", async (want) => {
   want((await facts()).size.join() === "10,2,6", (await facts()).size.join());
 });
 
+await test("the picture has most of the window, and the parameters lie over it", async (want) => {
+  const size = page.viewportSize(), inside = (a, b) => a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 1 && b.top < a.bottom - 1;
+  for (const [width, height, share] of [[1400, 900, 0.59], [1100, 700, 0.55], [800, 600, 0.55], [390, 800, 0.99]]) {
+    await page.setViewportSize({ width, height });
+    await page.evaluate((open) => { window.live.parameters.root.open = open; }, width > 1000);
+    await page.waitForTimeout(150);
+    const found = await page.evaluate(() => {
+      const box = (q) => { const e = document.querySelector(q), r = e?.getBoundingClientRect(); return r && r.width && getComputedStyle(e).display !== "none" ? { left: r.left, right: r.right, top: r.top, bottom: r.bottom } : null; };
+      return Object.fromEntries(["canvas", ".exports", ".parameters", ".bar", ".cube", ".pane", ".title h1"].map((q) => [q, box(q)]));
+    });
+    const { canvas, ...rest } = found, names = Object.keys(rest).filter((q) => rest[q]);
+    want((canvas.right - canvas.left) / width >= share, `at ${width} the picture has ${((canvas.right - canvas.left) / width).toFixed(2)} of the width`);
+    for (const a of names) for (const b of names) if (a < b) want(!inside(rest[a], rest[b]), `at ${width} ${a} lies over ${b}`);
+  }
+  await page.setViewportSize(size);
+  await page.evaluate(() => { window.live.parameters.root.open = true; });
+});
+
+await test("a key and a button fold the source", async (want) => {
+  const width = () => page.evaluate(() => window.visualscheme.canvas.clientWidth);
+  const before = await width();
+  await page.getByRole("button", { name: "Fold the source" }).click();
+  want(await width() === page.viewportSize().width, `the picture has ${await width()} points`);
+  await page.keyboard.press("Control+b");
+  want(await width() === before, "Ctrl B does not show the source");
+  await page.locator("canvas").first().focus();
+  await page.keyboard.press("s");
+  want(await width() === page.viewportSize().width, "S does not fold the source");
+  await page.getByRole("button", { name: "Show the source" }).click();
+  want(await width() === before, "the button does not show the source");
+  // Tab indents in the source; after Escape it leaves the source.
+  await page.locator(".cm-content").focus();
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("Tab");
+  want(!(await page.evaluate(() => document.activeElement.classList.contains("cm-content"))), "Escape, then Tab stays in the source");
+  want((await text()) === source, "leaving the source changed it");
+});
+
+await test("the cube shows standard views, corner views, and turns", async (want) => {
+  const way = () => page.evaluate(() => window.visualscheme.control.direction().toArray().map((x) => Math.round(1000 * x) / 1000).join());
+  const click = async (q) => { await page.locator(q).dispatchEvent("pointerdown"); await page.locator(q).dispatchEvent("pointerup"); };
+  for (const [name, wanted] of [["top", "0,0,1"], ["front", "0,-1,0"], ["right", "1,0,0"]]) {
+    await page.evaluate(() => window.visualscheme.control.from(-Math.PI / 4, Math.atan(Math.SQRT1_2)));
+    await click(`.cube [data-view=${name}]`);
+    want((await way()) === wanted, `${name}: ${await way()}`);
+  }
+  await page.evaluate(() => window.visualscheme.control.from(-Math.PI / 4, Math.atan(Math.SQRT1_2)));
+  await click('.cube [data-corner="-1,-1,1"]');
+  want((await way()) === "-0.577,-0.577,0.577", `the corner: ${await way()}`);
+  const box = await page.locator(".cube").boundingBox(), before = await way();
+  await page.mouse.move(box.x + 50, box.y + 50);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 80, box.y + 50, { steps: 3 });
+  await page.mouse.up();
+  want((await way()) !== before, "a drag does not turn the model");
+  await page.evaluate(() => { window.visualscheme.view("start"); });
+});
+
+await test("the grid has round squares and numbers", async (want) => {
+  await page.evaluate(() => window.visualscheme.setGrid(true));
+  const numbers = await page.locator(".tick").allTextContents();
+  want(numbers.length >= 2 && numbers.includes("0") && numbers.every((n) => Number.isFinite(Number(n))), `numbers: ${numbers}`);
+  await page.evaluate(() => window.visualscheme.setGrid(false));
+  want(await page.locator(".tick").count() === 0, "the numbers stay");
+});
+
+await test("a model that leaves the frame is framed again", async (want) => {
+  const seen = () => page.evaluate(() => window.visualscheme.control.outOfFrame());
+  want(!(await seen()), "the model is out of frame at first");
+  await page.evaluate(() => { const v = window.visualscheme; v.touched = true; v.control.state.target.x += 500; v.control.apply(); });
+  want(await seen(), "500 m aside the model is in the frame");
+  await after(() => page.locator('input[type=range][data-parameter=height]').fill("3.1"));
+  await page.waitForFunction(() => !window.visualscheme.control.outOfFrame(), null, { timeout: 5000 }).catch(() => want(false, "the next run does not frame the model"));
+  await after(() => page.locator('input[type=range][data-parameter=height]').fill("6"));
+});
+
 await test("reset goes back to what the source says", async (want) => {
   for (const label of ["Reset Height of the towers", "Reset roofed", "Reset style"]) await page.locator(`button[aria-label^="${label}"]`).click();
   await page.waitForFunction(() => window.visualscheme.model.count === 4 && window.visualscheme.model.size[2] === 5, null, { timeout: 20000 });
@@ -142,6 +218,7 @@ await test("an error dims the last good model and heals", async (want) => {
   want(line === 7, `the message leads to line ${line}`);
   // A parameter that fails removes none of the controls.
   await after(() => writeFileSync(model, source.replace("roofed #t", "roofed (sqroot 2)")));
+  await page.waitForFunction(() => window.live.state.messages.some((m) => m.message.includes("sqroot")), null, { timeout: 20000 });
   const names = await page.evaluate(() => window.live.parameters.infos.map((p) => p.name).join());
   want(names === "height,roofed,style" && await page.locator("#parameter-style").count() === 1, `parameters that are left: ${names}`);
   await after(() => writeFileSync(model, source));

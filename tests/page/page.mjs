@@ -254,6 +254,16 @@ try {
     await again();
     said(await click([-3, -1, 2.5]), "-3, -1, 2.5", "a corner");
     said(await click([-1, -1, 2.5]), "2 m", "two corners");
+    // Readings stay; Esc takes the last one away. Two points of one face: their distance.
+    const clicks = async (x, z) => { const at = await page.evaluate(([x, z]) => { const { stage, model } = window.visualscheme, q = stage.camera.position.clone().set(x - model.middle[0], -1 - model.middle[1], z - model.middle[2]).project(stage.camera); return [(q.x + 1) / 2 * stage.canvas.clientWidth, (1 - q.y) / 2 * stage.canvas.clientHeight]; }, [x, z]); await page.mouse.click(...at); await page.waitForTimeout(100); };
+    await clicks(-2.6, 0.9);
+    await clicks(-1.6, 1.7);
+    const stays = await page.locator(".reading").allTextContents(), [far, ...parts] = (stays[1] || "").split(/\s{2,}/);
+    if (stays.length !== 2 || stays[0] !== "2 m") faults.push(`the readings are ${stays.join(" | ")}`);
+    if (Math.abs(parseFloat(far) - Math.hypot(1, 0.8)) > 0.02 || parts.length !== 2) faults.push(`two points of a face: ${stays[1]}, not 1.28 m with dx and dz`);
+    await again();
+    await again();
+    if (await page.locator(".reading").count() !== 0) faults.push("Esc does not take the readings away");
     await page.evaluate(() => { const v = window.visualscheme; v.setMeasuring(false); v.view("start"); });
     const picture = () => page.evaluate(() => { const { stage } = window.visualscheme, gl = stage.renderer.getContext(); stage.shadowsDirty = true; stage.draw(); const bytes = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight); gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, bytes); let sum = 0; for (let i = 0; i < bytes.length; i += 4) sum = (Math.imul(31, sum) + bytes[i] + bytes[i + 1] + bytes[i + 2]) | 0; return sum; });
     const first = await picture();

@@ -3,7 +3,7 @@
 import { Viewer } from "../viewer.js";
 import { readPacked } from "../packed.js";
 import { Model, modelFromPacked } from "../model.js";
-import { el } from "../dom.js";
+import { el, icon } from "../dom.js";
 import { Source } from "./source.js";
 import { isWhole } from "./scheme.js";
 import { Conflict } from "./conflict.js";
@@ -20,6 +20,8 @@ const TALK_MOST = 20000; // Greatest number of characters of output that are sho
 // Returns the end of a text, from a whole character on.
 const tail = (text, most) => text.length <= most ? text : text.slice(-most).replace(/^[\udc00-\udfff]/, "");
 const VIEWER_FORMATS = new Set(["x3d-packed", "x3d-steps"]), FIRST_FORMAT = "stl"; // FIRST_FORMAT is chosen when the page opens.
+const PHONE = 720; // On windows up to this width in pixels, the source lies below the picture (live.css).
+const BOTH = 620; // A picture of at least this width has room for the parameters beside the panel.
 const GHOSTS_MOST = 50000; // Greatest number of parts of a model for which cuts are searched when the cursor moves.
 
 // Returns true if a file's ending is one of Scheme.
@@ -49,6 +51,8 @@ export class Live {
     this.saveButton = el("button", { type: "button", class: "button save", title: "Save (Ctrl S)", disabled: true, onclick: () => this.save() }, "Save");
     this.stopButton = el("button", { type: "button", class: "button", title: "Stop what runs", disabled: true, onclick: () => this.#stop() }, "Stop");
     this.typingButton = el("button", { type: "button", class: "button typing", title: "Draw the unsaved text while you type", onclick: () => this.#setTyping(!this.draws) }, "As you type");
+    this.foldButton = el("button", { type: "button", class: "fold", title: "Fold the source (Ctrl B, or S in the picture)", "aria-label": "Fold the source", onclick: () => this.fold(true) }, icon("fold"));
+    this.unfoldButton = el("button", { type: "button", class: "unfold glass", title: "Show the source (Ctrl B, or S in the picture)", "aria-label": "Show the source", onclick: () => this.fold(false) }, icon("unfold"));
     this.conflict = new Conflict({ mine: () => this.#keepMine(), theirs: () => this.#takeTheirs() });
     this.editorPlace = el("div", { class: "editor" });
     this.hintPlace = el("div");
@@ -58,7 +62,7 @@ export class Live {
     const consoleArea = el("div", { class: "console" }, this.printed, el("label", {}, "›", this.prompt));
     this.viewPlace = el("div", { class: "view" });
     this.split = el("button", { type: "button", class: "split", "aria-label": "Width of the source: left and right arrow keys" });
-    root.append(el("section", { class: "pane", "aria-label": "Source" }, el("div", { class: "top" }, this.name, this.status, this.stopButton, el("span", { class: "reads-only", title: "The model is untrusted: it runs confined, and this page cannot change it" }, "read only"), this.typingButton, this.saveButton), this.conflict.notice, this.editorPlace, this.hintPlace, this.messages, consoleArea), this.split, this.viewPlace, this.conflict.root);
+    root.append(el("section", { class: "pane", "aria-label": "Source" }, el("div", { class: "top" }, this.name, this.status, this.stopButton, el("span", { class: "reads-only", title: "The model is untrusted: it runs confined, and this page cannot change it" }, "read only"), this.typingButton, this.saveButton, this.foldButton), this.conflict.notice, this.editorPlace, this.hintPlace, this.messages, consoleArea), this.split, this.viewPlace, this.conflict.root);
 
     this.viewer = new Viewer(this.viewPlace);
     window.visualscheme = this.viewer;
@@ -78,14 +82,17 @@ export class Live {
       set: (name, value, moving) => this.set(name, value, moving), write: () => this.writeParameters(), link: () => this.#link(), lasting: server.lasting,
       compare: (sets) => this.compare.open(sets, (name) => this.parameters.use(name)), place: () => this.state.model,
     });
-    this.viewer.root.append(el("div", { class: "exports glass" }, this.formats, this.exportButton, this.making.button), this.note);
+    this.viewer.root.append(el("div", { class: "exports glass" }, this.formats, this.exportButton, this.making.button), this.note, this.unfoldButton);
     this.viewPlace.append(this.parameters.root, this.compare.root, this.making.root, this.making.large);
     this.timeline = new Timeline(this.viewer, {
       construction: () => this.construction(), mark: (chain) => this.source.mark(chain.filter((o) => this.#isModel(o.file))),
       back: () => { this.source.mark([]); if (this.model) this.viewer.show(this.model, true); },
     });
 
-    this.viewer.addHelp([["Source", "B goes through how the model is made; Alt and a drag turn a number, as do Ctrl and the up and down arrows"]]);
+    this.viewer.addHelp([["Source", "Ctrl B folds it and shows it; Esc, then Tab leaves it; B goes through how the model is made; Alt and a drag turn a number, as do Ctrl and the up and down arrows"]]);
+    this.viewer.addKeys({ s: () => this.fold(!this.folded) });
+    this.viewer.beside = () => this.parameters.root.open && !this.parameters.root.hidden && innerWidth > PHONE ? 290 : 0;
+    this.#apart();
     this.source = new Source(this.editorPlace, {
       changed: () => { this.saveButton.disabled = !this.source.dirty; },
       save: () => this.save(),
@@ -110,6 +117,10 @@ export class Live {
     this.missing = this.lost = 0; // Number of omitted characters at the beginning of talk, and of before.
     // When the button that has the focus vanishes, no element gets the keys. The viewer then gets them.
     addEventListener("keydown", (event) => {
+      if ((event.ctrlKey || event.metaKey) && !event.altKey && !event.shiftKey && event.key.toLowerCase() === "b") {
+        event.preventDefault();
+        return this.fold(!this.folded);
+      }
       if (event.target !== document.body || event.key === "Tab") return;
       this.viewer.canvas.focus();
       this.viewer.canvas.dispatchEvent(new KeyboardEvent("keydown", event));
@@ -183,7 +194,7 @@ export class Live {
       this.#messages(data.messages, data.more);
     } else if (kind === "frame") {
       if (this.timeline.isOpen) return; // The timeline shows a single moment of the drawing, so frames are ignored.
-      if (data.version > this.version) await this.#fetchScene();
+      if (data.version > this.version) await this.#fetchScene(true);
       this.#scene(data.scene);
     } else if (kind === "state") {
       await this.#state(data);
@@ -310,7 +321,7 @@ export class Live {
 
   // ---- the scene: the server sends only new pieces ----
 
-  async #fetchScene() {
+  async #fetchScene(moving = false) {
     const answer = await ask("/scene?have=" + this.version);
     if (!answer.ok) return;
     const buffer = await answer.arrayBuffer(), view = new DataView(buffer), version = view.getUint32(4, true), count = view.getUint32(8, true);
@@ -326,7 +337,7 @@ export class Live {
       if (!piece) { // The page no longer has this piece, so all pieces are requested again.
         this.version = 0;
         this.pieces.clear();
-        return this.#fetchScene();
+        return this.#fetchScene(moving);
       }
       pieces.set(key, piece);
       list.push(piece);
@@ -345,7 +356,7 @@ export class Live {
     this.made = null;
     if (this.timeline.isOpen) return this.timeline.renew();
     this.viewer.setGhosts([]);
-    this.viewer.show(this.model, !first);
+    this.viewer.show(this.model, !first, { moving });
     this.spare = before;
   }
 
@@ -602,6 +613,24 @@ export class Live {
     el("a", { href: url, download: (this.state?.model || "model").split("/").pop().replace(/\.[^.]*$/, "") + "." + suffix }).click();
     setTimeout(() => URL.revokeObjectURL(url), 60000);
     this.#status("wrote ." + suffix, false);
+  }
+
+  // Folds the source away, so that the picture has the whole window, or shows it again.
+  fold(folded) {
+    this.folded = folded;
+    document.getElementById("live").classList.toggle("folded", folded);
+    (folded ? this.unfoldButton : this.foldButton).focus({ preventScroll: true });
+  }
+
+  // The parameters and the viewer's panel lie beside each other over the picture. If the picture is too narrow for
+  // both, opening one closes the other. The model is framed beside them, unless the user has moved the camera.
+  #apart() {
+    const { viewer } = this, parameters = this.parameters.root, narrow = () => viewer.root.clientWidth < BOTH;
+    parameters.addEventListener("toggle", () => {
+      if (parameters.open && narrow() && !viewer.panel.root.hidden) viewer.togglePanel();
+      if (viewer.model && !viewer.touched) viewer.control.reset();
+    });
+    new MutationObserver(() => { if (!viewer.panel.root.hidden && narrow()) parameters.open = false; }).observe(viewer.panel.root, { attributeFilter: ["hidden"] });
   }
 
   #splitter() {

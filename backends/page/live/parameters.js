@@ -48,7 +48,7 @@ export class Parameters {
         this.#say(address);
       }
     }, { title: "An address that opens this view with these values" + (lasting ? "" : ". It contains the view's key") });
-    this.root = el("details", { class: "parameters glass", open: innerWidth > 720, hidden: true }, el("summary", {}, "Parameters"), this.list,
+    this.root = el("details", { class: "parameters glass", open: innerWidth > 1000, hidden: true }, el("summary", {}, "Parameters"), this.list,
       el("div", { class: "write" }, this.writeButton, this.resetButton),
       el("h3", { class: "apart" }, "Sets of values"), this.setList,
       el("div", { class: "write" }, button("Keep these", () => this.keep(), { title: "Keep the values as a set" }), this.compareButton, share,

@@ -175,7 +175,7 @@ export class Source {
             clearTimeout(this.waiting);
             this.waiting = setTimeout(() => cursor(this.places()), 120);
           }
-        }), EditorView.contentAttributes.of({ "aria-label": "Source" }),
+        }), EditorView.contentAttributes.of({ "aria-label": "Source", "aria-description": "Tab indents. Escape, then Tab leaves the source." }),
         EditorView.cspNonce.of(document.querySelector("script[nonce]")?.nonce ?? "")] }),
     });
   }

@@ -164,7 +164,7 @@ export class Timeline {
       this.made = made;
       this.range.max = String(Math.max(0, n - 1));
       this.viewer.filter = made.shown(n - 1);
-      this.viewer.show(made.model, true, true);
+      this.viewer.show(made.model, true, { aside: true });
       this.go(atEnd ? n - 1 : this.k);
     } catch (error) {
       this.output.textContent = error.message;
