@@ -564,6 +564,7 @@ static vs_outcome view_model(cli_options *o) {
     live.confined = (live_confinement){
       .context = &stranger, .read_file = read_untrusted, .list_folder = list_untrusted, .confine = confine_view };
   }
+  else cli_new_model(o->sources[0].text);
   hear_signals();
   vs_outcome outcome = live_view(&live);
   if (o->untrusted) cli_untrusted_end(&stranger.untrusted);

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "cli/packages/package_lock.h"
 
@@ -40,6 +41,23 @@ static bool write_file(size_t i, const char *name) {
   ok = fclose(to) == 0 && ok;
   if (ok) puts(path);
   return ok;
+}
+
+static const char FIRST_MODEL[] = "; Save this file, and the picture follows. vs help box explains make-box.\n"
+                                  "(define-parameter height 3.0 #:min 1 #:max 9)\n"
+                                  "\n"
+                                  "(draw (make-box (xyz 0 0 0) (xyz 4 3 height)))\n";
+
+void cli_new_model(const char *path) {
+  size_t length = strlen(path);
+  struct stat there;
+  if (length < 4 || strcmp(path + length - 3, ".vs") != 0 || path[length - 4] == '/') return;
+  if (lstat(path, &there) == 0 || errno != ENOENT) return;
+  FILE *to = fopen(path, "wx");
+  if (!to) return;
+  bool ok = fputs(FIRST_MODEL, to) >= 0;
+  if (fclose(to) == 0 && ok) fprintf(stderr, "vs view: made %s\n", path);
+  else unlink(path);
 }
 
 vs_outcome cli_new_command(const cli_options *o) {

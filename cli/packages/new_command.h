@@ -7,4 +7,8 @@
 /* Makes the folder NAME with a model, a library and its checks. */
 vs_outcome cli_new_command(const cli_options *o);
 
+/* Makes the model `path` for `vs view`, if its name ends in .vs and no file of this name exists, and says so. Otherwise
+ * changes nothing: reading the file then gives the message. */
+void cli_new_model(const char *path);
+
 #endif

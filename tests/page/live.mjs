@@ -1,7 +1,7 @@
 // Owns the tests of the live view's server, by HTTP alone: `live.mjs VS FOLDER`. Prints lines in the form that
 // tests/run.sh reads.
 import { spawn } from "node:child_process";
-import { mkdirSync, writeFileSync, readFileSync, readdirSync, symlinkSync, truncateSync } from "node:fs";
+import { existsSync, mkdirSync, writeFileSync, readFileSync, readdirSync, symlinkSync, truncateSync } from "node:fs";
 import http from "node:http";
 import net from "node:net";
 
@@ -361,6 +361,27 @@ try {
       other.kill();
       const now = readFileSync(said, "utf8").trim().replace(address, "@");
       check(now === wanted, `${JSON.stringify(names)} ${options} started "${now}"`);
+    }
+  });
+
+  await test("a missing model is made, and nothing else", async (check) => {
+    const run = (path, options = []) => new Promise((go) => {
+      const other = spawn(vs, ["view", "-q", ...options, path], { stdio: ["ignore", "pipe", "pipe"] });
+      let told = "";
+      other.stderr.on("data", (d) => { told += d; });
+      other.stdout.once("data", () => { other.kill(); });
+      other.once("close", (code) => go({ code, told: told.replaceAll(folder, "@") }));
+    });
+    const first = await run(`${folder}/first.vs`), text = readFileSync(`${folder}/first.vs`, "utf8");
+    check(first.code === 0 && first.told === "vs view: made @/first.vs\n" && text.includes("(draw (make-box"), JSON.stringify(first));
+    writeFileSync(`${folder}/first.vs`, "; mine\n");
+    const again = await run(`${folder}/first.vs`);
+    check(again.told === "" && readFileSync(`${folder}/first.vs`, "utf8") === "; mine\n", `an existing model: ${JSON.stringify(again)}`);
+    symlinkSync(`${folder}/nowhere.vs`, `${folder}/link.vs`);
+    for (const [name, options] of [["no-folder/a.vs", []], ["a.js", []], [".vs", []], ["b.vs", ["--untrusted"]], ["link.vs", []]]) {
+      const { code, told } = await run(`${folder}/${name}`, options);
+      check(code === 2 && /no such file|reads only|not there/i.test(told), `${name}: ${code} ${told}`);
+      check(!existsSync(`${folder}/${name}`), `${name} was made`);
     }
   });
 
