@@ -696,6 +696,10 @@ VS_API vs_outcome vs_picture_compare(vs_scheme *s, const char *a, const char *b,
 /* Removes noise from a picture, and writes the result as another EXR with the same channels. Sets *layers to true if
  * the picture's albedo and normal were used, to false if only its colours were used. */
 VS_API vs_outcome vs_picture_denoise(vs_scheme *s, const char *from, const char *to, bool *layers);
+/* Returns the first row of tile `tile` of a picture that is divided into tiles, one above the other, each a crop of the
+ * whole width; for tile = tiles, the picture's height. Tiles of other sizes take longer, because POV-Ray then renders
+ * some rows for two tiles. tiles: from 1 to height. */
+VS_API int vs_picture_tile_top(int width, int height, int tiles, int tile);
 /* Joins tiles, all PNG or all EXR, row by row. If the tiles are crops of one picture, the result has the bytes of the
  * uncropped picture. */
 VS_API vs_outcome vs_picture_join(vs_scheme *s, const char *const *tiles, size_t columns, size_t rows, const char *to);

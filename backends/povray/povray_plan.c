@@ -55,10 +55,27 @@ static void plan_passes(vs_povray_plan *p, vs_render_quality quality) {
   }
 }
 
+/* Returns the number of strips of a picture whose scene is read quickly, before it is made even. */
+static uint32_t most_strips(uint32_t columns, uint32_t rows) {
+  return between(columns >= 2 * STRIP ? 2 : 1, rows / STRIP, VS_POVRAY_STRIPS);
+}
+
+uint32_t vs_povray_tile_top(uint32_t columns, uint32_t rows, uint32_t tiles, uint32_t tile) {
+  uint64_t strips = most_strips(columns, rows) / 2 * 2, n = tiles, i = tile;
+  if (strips <= 2 || n > rows / 2) return (uint32_t)(rows * i / n);
+  if (n <= strips) return (uint32_t)(rows * (strips * i / n) / strips);
+  /* tiles n*k/strips to n*(k+1)/strips divide strip k into equal parts */
+  uint64_t k = (i * strips + strips - 1) / n, first = n * k / strips;
+  while (first > i) first = n * --k / strips;
+  if (k >= strips) return rows;
+  uint64_t top = rows * k / strips, end = rows * (k + 1) / strips, parts = n * (k + 1) / strips - first;
+  return (uint32_t)(top + (end - top) * (i - first) / parts);
+}
+
 /* Returns the number of strips of the picture, which is even. Every run of POV-Ray reads the whole scene, and the
  * number is limited so that reading takes at most a quarter of the time for drawing. */
 static uint32_t strips_of(const vs_povray_plan *p, uint64_t triangles) {
-  uint32_t most = between(p->columns >= 2 * STRIP ? 2 : 1, p->rows / STRIP, VS_POVRAY_STRIPS);
+  uint32_t most = most_strips(p->columns, p->rows);
   uint64_t count = 1 + (uint64_t)p->columns * p->rows / (p->bounced ? 1 : QUICK) / (triangles + 1);
   if (count < 2) count = 2;
   if (count > most) count = most;

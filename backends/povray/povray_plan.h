@@ -34,6 +34,10 @@ typedef struct {
 /* Returns the plan of a picture. triangles: number of triangles in its scene. metered: whether its exposure is computed
  * from the picture. alone: whether a single run of POV-Ray renders the entire picture. */
 vs_povray_plan vs_povray_plan_of(const vs_export_options *o, uint64_t triangles, bool metered, bool alone);
+/* Returns the first row of a tile of a picture that is divided into tiles, one above the other; for tile = tiles, the
+ * number of rows. A tile ends where a strip ends, or lies in one strip: each strip of a tile is rendered as a whole.
+ * tiles: at most `rows`. The strips are those of a scene with few triangles. */
+uint32_t vs_povray_tile_top(uint32_t columns, uint32_t rows, uint32_t tiles, uint32_t tile);
 /* Returns how many of the jobs may run at a time: at most as many as there are processors, and as need no more than
  * half of the machine's memory. The parameter scene is the size of the scene's text in bytes. */
 size_t vs_povray_at_once(const vs_export_options *o, const vs_povray_job *job, uint64_t scene);

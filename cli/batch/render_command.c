@@ -178,17 +178,18 @@ static bool add_tiles(batch *b, const char *model, const char *set, const char *
   const cli_tiles *t = &o->tiles;
   const char *ending = strrchr(file, '.');
   char name[PATH_ROOM], number[24];
-  long count = t->columns * t->rows, w = o->output.width, h = o->output.height;
+  long count = t->columns * t->rows;
+  int w = o->output.width, h = o->output.height;
   int digits = snprintf(number, sizeof number, "%ld", count);
   for (long i = t->from; i <= t->to; i++) {
-    long top = h * (i - 1) / count;
+    int top = vs_picture_tile_top(w, h, (int)count, (int)i - 1), end = vs_picture_tile_top(w, h, (int)count, (int)i);
     int n = snprintf(name, sizeof name, "%.*s-tile-%0*ld%s", (int)(ending - file), file, digits < 2 ? 2 : digits, i,
                      ending);
     if (n < 0 || n >= PATH_ROOM) return fprintf(stderr, "vs render: %s: the name is too long\n", file), false;
     if (!add_picture(b, model, set, view, 0, name)) return false;
     picture *p = &b->at[b->count - 1];
     p->tile = (size_t)i;
-    snprintf(p->crop, sizeof p->crop, "0,%ld,%ld,%ld", top, w, h * i / count - top);
+    snprintf(p->crop, sizeof p->crop, "0,%d,%d,%d", top, w, end - top);
     if (i == 1 && !(p->whole = strdup(file))) return no_memory();
   }
   return true;

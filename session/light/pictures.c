@@ -11,6 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "backends/povray/povray_plan.h"
 #include "backends/publish.h"
 #include "geometry/files/exr_read.h"
 #include "geometry/files/png_read.h"
@@ -420,6 +421,11 @@ static bool put_tiles(joint *j, vs_error *e) {
 static bool is_light(const char *path) {
   const char *dot = strrchr(path, '.');
   return dot && !strcmp(dot, ".exr");
+}
+
+int vs_picture_tile_top(int width, int height, int tiles, int number) {
+  if (width < 1 || height < 1 || tiles < 1 || tiles > height || number < 0 || number > tiles) return 0;
+  return (int)vs_povray_tile_top((uint32_t)width, (uint32_t)height, (uint32_t)tiles, (uint32_t)number);
 }
 
 vs_outcome vs_picture_join(vs_scheme *vm, const char *const *tiles, size_t columns, size_t rows, const char *to) {

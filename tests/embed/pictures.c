@@ -74,6 +74,8 @@ int main(int argc, char **argv) {
   CHECK(vs_picture_join(s, tiles, 2, 2, in(folder, "joined.exr")) == VS_OUTCOME_DONE);
   CHECK(vs_picture_compare(s, in(folder, "a.exr"), in(folder, "joined.exr"), NULL, &d) == VS_OUTCOME_DONE && d.most == 0);
   tiles[1] = names[3];
+  CHECK(vs_picture_tile_top(640, 480, 4, 0) == 0 && vs_picture_tile_top(640, 480, 4, 1) == 120);
+  CHECK(vs_picture_tile_top(640, 480, 4, 4) == 480 && vs_picture_tile_top(640, 480, 481, 1) == 0);
   CHECK(vs_picture_join(s, tiles, 2, 1, in(folder, "joined.exr")) == VS_OUTCOME_USAGE && strstr(said, "does not fit"));
   vs_free(s);
   return failures > 0;

@@ -806,6 +806,35 @@ static void test_povray_plan(void **state) {
     }
 }
 
+/* Tiles have at least a row each, one above the other, and fill the picture. If a picture has more than two strips, no
+ * strip is rendered for two tiles, unless there are more tiles than strips: a tile then lies in one strip. */
+static void test_povray_tiles(void **state) {
+  (void)state;
+  static const uint32_t columns[] = { 1, 200, 3840 }, rows[] = { 1, 7, 240, 361, 481, 482, 1080, 2160, 7016, 32768 };
+  static const uint32_t tiles[] = { 1, 2, 3, 7, 16, 17, 18, 19, 64, 479 };
+  for (size_t i = 0; i < sizeof columns / sizeof *columns * (sizeof rows / sizeof *rows); i++)
+    for (size_t t = 0; t < sizeof tiles / sizeof *tiles && tiles[t] <= rows[i / 3]; t++) {
+      vs_export_options o;
+      vs_export_options_init(&o);
+      o.width = (int)columns[i % 3], o.height = (int)rows[i / 3], o.quality = VS_RENDER_GOOD;
+      vs_povray_plan whole = vs_povray_plan_of(&o, 0, true, false);
+      size_t strips = whole.count - whole.pass_count, rendered = 0;
+      uint32_t top = vs_povray_tile_top(columns[i % 3], rows[i / 3], tiles[t], 0);
+      assert_int_equal(top, 0);
+      for (uint32_t k = 1; k <= tiles[t]; k++) {
+        uint32_t end = vs_povray_tile_top(columns[i % 3], rows[i / 3], tiles[t], k);
+        assert_true(end > top);
+        o.crop[1] = (int)top, o.crop[2] = o.width, o.crop[3] = (int)(end - top);
+        vs_povray_plan part = vs_povray_plan_of(&o, 0, true, false);
+        rendered += part.count - part.pass_count;
+        top = end;
+      }
+      assert_int_equal(top, rows[i / 3]);
+      if (strips > 2 && tiles[t] <= rows[i / 3] / 2)
+        assert_int_equal(rendered, tiles[t] > strips ? tiles[t] : strips);
+    }
+}
+
 /* Tests the picture of a red sphere in front of a pale sky: red in the middle, not red in the corner. A POV-Ray scene
  * reads the picture and prints its colours. */
 static void test_povray_picture(void **state) {
@@ -929,7 +958,7 @@ static void test_tells_what_is_left_out(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_tells_what_is_left_out), cmocka_unit_test(test_numbers), cmocka_unit_test(test_numbers_locale), cmocka_unit_test(test_tree_reads_back), cmocka_unit_test(test_tree_golden),
-    cmocka_unit_test(test_tree_refuses), cmocka_unit_test(test_deflate), cmocka_unit_test(test_povray_plan), cmocka_unit_test(test_povray_words), cmocka_unit_test(test_povray_skins), cmocka_unit_test(test_povray_solids), cmocka_unit_test(test_povray_solids_left), cmocka_unit_test(test_openscad_words), cmocka_unit_test(test_x3d_words), cmocka_unit_test(test_stl_words),
+    cmocka_unit_test(test_tree_refuses), cmocka_unit_test(test_deflate), cmocka_unit_test(test_povray_plan), cmocka_unit_test(test_povray_tiles), cmocka_unit_test(test_povray_words), cmocka_unit_test(test_povray_skins), cmocka_unit_test(test_povray_solids), cmocka_unit_test(test_povray_solids_left), cmocka_unit_test(test_openscad_words), cmocka_unit_test(test_x3d_words), cmocka_unit_test(test_stl_words),
     cmocka_unit_test(test_left_out), cmocka_unit_test(test_templates), cmocka_unit_test(test_singular), cmocka_unit_test(test_deep),
     cmocka_unit_test(test_no_memory), cmocka_unit_test(test_files), cmocka_unit_test(test_formats), cmocka_unit_test(test_povray_missing),
     cmocka_unit_test(test_povray_complains), cmocka_unit_test(test_povray_stops), cmocka_unit_test(test_povray_picture),
