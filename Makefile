@@ -69,7 +69,7 @@ $(BUILD)/obj/geometry/functions/%.o $(BUILD)/obj/kernel/%.o $(BUILD)/obj/solids/
 # Values that gcse shares over the whole function fill the registers, and the frame's address is left without one.
 $(BUILD)/obj/vm/machine/run_loop.o: CFLAGS += $(if $(findstring clang,$(shell $(CC) --version)),,-fno-crossjumping -fno-gcse -fno-tree-pre -fno-ivopts --param max-goto-duplication-insns=20 --param max-grow-copy-bb-insns=50)
 
-LIVE_ASSETS = backends/page/live/live.html $(BUILD)/live.css $(BUILD)/live.js cli/sweep/parallel_coordinates.js
+LIVE_ASSETS = backends/page/live/live.html $(BUILD)/live.css $(BUILD)/live.js cli/sweep/parallel_coordinates.js cli/sweep/scatter.js
 
 $(BUILD)/viewer.js: backends/page/page.js $(wildcard backends/page/*.js) package.json $(wildcard node_modules/.package-lock.json)
 	@mkdir -p $(@D)

@@ -11,8 +11,9 @@
 
 enum { BEST = 10 };
 
-/* The script parallel_coordinates.js, which the build links into the program. */
+/* The page's scripts, which the build links into the program. */
 extern const char vs_asset_parallel_coordinates_js[], vs_asset_parallel_coordinates_js_end[];
+extern const char vs_asset_scatter_js[], vs_asset_scatter_js_end[];
 
 /* ---- CSV (RFC 4180) ---- */
 
@@ -120,6 +121,12 @@ static void put_axes(FILE *to, const sweep_table *t) {
   free(text);
 }
 
+static void put_script(FILE *to, const char *text, const char *end) {
+  fputs("<script>\n", to);
+  fwrite(text, 1, (size_t)(end - text), to);
+  fputs("</script>\n", to);
+}
+
 void sweep_write_sheet(FILE *to, const sweep_table *t, const size_t *rows, size_t count, const char *path) {
   fputs(
       "<!doctype html><meta charset=\"utf-8\"><title>Sweep</title>\n<style>body{font:13px sans-serif;margin:24px;"
@@ -141,10 +148,8 @@ void sweep_write_sheet(FILE *to, const sweep_table *t, const size_t *rows, size_
     put_caption(to, t, p);
     fputs("</figure>\n", to);
   }
-  fputs("<script>\n", to);
-  fwrite(vs_asset_parallel_coordinates_js, 1,
-         (size_t)(vs_asset_parallel_coordinates_js_end - vs_asset_parallel_coordinates_js), to);
-  fputs("</script>\n", to);
+  put_script(to, vs_asset_parallel_coordinates_js, vs_asset_parallel_coordinates_js_end);
+  put_script(to, vs_asset_scatter_js, vs_asset_scatter_js_end);
 }
 
 /* ---- the best rows ---- */

@@ -1,4 +1,4 @@
-// Owns the tests of a sweep's page: its parallel coordinates. `parallel.mjs INDEX.HTML`, the page of a sweep of n=1..4,
+// Owns the tests of a sweep's page: its parallel coordinates and its scatter. `parallel.mjs INDEX.HTML`, the page of a sweep of n=1..4,
 // style=flat,steep with the number "area". Prints lines in the form that tests/run.sh reads.
 import { pathToFileURL } from "node:url";
 import { browser } from "./browser.mjs";
@@ -34,6 +34,26 @@ check((await shown()).length === 8, "the button does not show all");
 const before = await page.$eval("canvas", (c) => c.toDataURL());
 await page.mouse.click(x(0), box.y + 8);
 check((await page.$eval("canvas", (c) => c.toDataURL())) !== before, "a click on a name does not change the colours");
+// the scatter: n across and area = n * n up, with frames inset by 3 %; the point under the pointer shows its set
+const plot = await (await page.$("#scatter canvas")).boundingBox();
+const on_axis = (value, least, most) => 0.03 + (0.94 * (value - least)) / (most - least);
+const at = (n, area) => [plot.x + 56 + on_axis(n, 1, 4) * (plot.width - 72), plot.y + 12 + (1 - on_axis(area, 1, 16)) * (plot.height - 40)];
+const card = () => page.$eval("#scatter div", (d) => (d.style.display === "none" ? null : { words: d.textContent, pictures: [...d.querySelectorAll("img")].map((i) => i.src) }));
+for (const n of [1, 3, 4]) {
+  await page.mouse.move(...at(n, n * n));
+  const seen = await card();
+  check(seen && new RegExp(`^n=${n}, style=(flat|steep)area ${n * n}$`).test(seen.words), `at n=${n} the card says ${seen && seen.words}`);
+  check(seen && seen.pictures.length === 1 && decodeURIComponent(seen.pictures[0]).includes(`swept-n=${n},style=`), `at n=${n} the card shows ${seen && seen.pictures}`);
+}
+await page.mouse.move(...at(1, 16));
+check((await card()) === null, "a card where there is no point");
+await page.selectOption("#scatter select >> nth=0", { label: "style" });
+await page.mouse.move(plot.x + 56 + 0.97 * (plot.width - 72), at(1, 4)[1]);
+check((await card())?.words.startsWith("n=2, style=steep"), "with style across the card says " + (await card())?.words);
+await drag(0, 30, 120); // n: 3 and 4; points that are not kept show nothing
+await page.mouse.move(plot.x + 56 + 0.97 * (plot.width - 72), at(1, 4)[1]);
+check((await card()) === null, "a set that is not kept has a card");
+await page.click("button");
 await page.hover("figure:nth-of-type(3)");
 await page.setViewportSize({ width: 360, height: 700 });
 check(await page.evaluate(() => document.documentElement.scrollWidth <= 360), "a phone's width does not hold it");
