@@ -926,6 +926,14 @@ static bool make_all(batch *b) {
   return true;
 }
 
+/* Runs the models without making pictures. Returns VS_OUTCOME_USAGE if a model refuses its parameters. */
+static vs_outcome try_batch(batch *b) {
+  run_all(b, b->ended, try_model);
+  for (size_t i = 0; i < b->count; i++)
+    if (b->at[i].result.code == VS_OUTCOME_USAGE) return VS_OUTCOME_USAGE;
+  return VS_OUTCOME_DONE;
+}
+
 static vs_outcome run_batch(batch *b) {
   const cli_options *o = b->options;
   vs_outcome outcome = b->failed;
@@ -967,7 +975,7 @@ vs_outcome cli_render_command(const cli_options *o, const volatile sig_atomic_t 
       if (!ok) fprintf(stderr, "vs render: %s: the name is too long\n", b.whole_path);
       if (ranged) b.manifest_path = own;
       if (o->trying) b.whole_path = b.manifest_path = NULL;
-      if (ok && prepare(&b)) outcome = o->trying ? (run_all(&b, ended, try_model), VS_OUTCOME_DONE) : run_batch(&b);
+      if (ok && prepare(&b)) outcome = o->trying ? try_batch(&b) : run_batch(&b);
     }
     cli_inputs_hear(b.told, b.inputs);
     cli_inputs_tell(watches, b.inputs);

@@ -217,6 +217,16 @@ static vs_outcome run_bundles(job_record *r, const cli_options *o, const volatil
   return outcome == VS_OUTCOME_DONE ? job_join(r, ended) : outcome;
 }
 
+/* Runs the second frame of a film without its picture, because its parameter is the first between whole numbers.
+ * Returns false, after the model's message, if the model refuses the parameter: all frames of the batch would fail. */
+static bool takes_frames(const cli_options *o, vs_outcome (*here)(const cli_options *o)) {
+  cli_options second = *o;
+  if (o->frames.count < 2 || !strcmp(o->cluster.on, "local")) return true;
+  second.trying = second.quiet = true, second.cluster = (cli_cluster){0}, second.only = "2..2";
+  second.frames.from = second.frames.to = 2;
+  return here(&second) != VS_OUTCOME_USAGE;
+}
+
 /* Returns true if jobs of an earlier submission are not done yet, after a message. */
 static bool is_submitted(const char *folder, const volatile sig_atomic_t *ended) {
   job_record before;
@@ -243,7 +253,7 @@ vs_outcome cli_cluster_command(const cli_options *o, const volatile sig_atomic_t
   vs_outcome outcome = VS_OUTCOME_USAGE;
   if (!job_record_make(&r, o, folder)) return job_record_free(&r), VS_OUTCOME_MACHINE;
   int lock = job_record_lock(&r);
-  if (lock >= 0 && !is_submitted(folder, ended) && job_states(&r, &states)) {
+  if (lock >= 0 && !is_submitted(folder, ended) && takes_frames(o, here) && job_states(&r, &states)) {
     r.parts = states.count;
     free(states.at);
     job_record_forget_nodes(&r);

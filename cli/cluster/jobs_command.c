@@ -96,6 +96,15 @@ static void show_refused(const job_record *r) {
   free(line), free(all);
 }
 
+/* Returns the name of the files of Slurm with the messages of parts that failed or are missing, or of a join that
+ * failed; NULL if nothing has failed. */
+static const char *messages_of(const batch *b) {
+  const job_record *r = &b->record;
+  if (!job_is_on_slurm(r)) return NULL;
+  if (b->failed || (b->left && !b->live)) return "bundle-*.log";
+  return !b->live && r->joined && r->code != VS_OUTCOME_DONE ? "join.log" : NULL;
+}
+
 static void show(const char *folder, const batch *b) {
   const job_record *r = &b->record;
   printf("%s: vs %s --on %s: %zu of %zu parts done", folder, r->command, r->on, b->done, b->states.count);
@@ -108,6 +117,8 @@ static void show(const char *folder, const batch *b) {
   else if (!b->live && r->joined) printf(", ended with exit code %d", r->code);
   else if (!b->live) printf(", not joined: vs jobs join %s", folder);
   putchar('\n');
+  const char *log = messages_of(b);
+  if (log) printf("  messages: %s/jobs/%s\n", folder, log);
   show_refused(r);
   fflush(stdout);
 }

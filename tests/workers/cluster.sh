@@ -1,93 +1,17 @@
-# Tests --on slurm and vs jobs on a cluster of three nodes that this script starts and stops: Debian's munge and Slurm in
-# a private folder. Where namespaces are allowed, each node is a machine with a network and processes of its own, so that
-# it can be killed. LONG=1: a film of 200 frames while a node dies, the controller restarts and a disk is full.
+# Tests --on slurm and vs jobs on a cluster of three nodes that this script starts and stops. LONG=1: a film of 200 frames
+# while a node dies, the controller restarts and a disk is full.
 . tests/report.sh
+. tests/private_cluster.sh
 
 wanted cluster || exit 0
-PATH=$PATH:/usr/sbin:/sbin
-for program in slurmctld slurmd sbatch munged; do
-  command -v $program > /dev/null || { echo "skip cluster: no $program (packages slurmctld, slurmd, slurm-client, munge)"; exit 0; }
-done
-# slurmd does not start without control groups, which a container may lack.
-grep -q ' cgroup2\? ' /proc/mounts || { echo "skip cluster: no control groups here (/sys/fs/cgroup)"; exit 0; }
+why=$(no_cluster); [ -z "$why" ] || { echo "skip cluster: $why"; exit 0; }
 cd "$work" || exit 1
-host=$(hostname -s) net=10.213.$(($$ % 250)) bridge=vsb$(($$ % 100000)) spaces=
-mkdir -m 700 munge && mkdir run state spool tmp hidden && chmod 755 "$work"
-dd if=/dev/urandom of=munge/key bs=128 count=1 2> /dev/null; chmod 600 munge/key
-
-# ---- the cluster ----
-
-stop_all() {
-  for f in run/*.pid; do [ ! -f "$f" ] || kill "$(cat "$f")" 2> /dev/null; done
-  for n in 1 2 3; do [ ! -f run/node$n ] || kill -9 "$(cat run/node$n)" 2> /dev/null; done
-  [ -z "$spaces" ] || ip link del "$bridge" 2> /dev/null
-  sleep 1; cd /; rm -rf "$work"
-}
-trap stop_all EXIT
+trap stop_cluster EXIT
 trap 'exit 130' INT TERM
-
-if unshare --fork --pid --mount --net --mount-proc true 2> /dev/null && ip link add "$bridge" type bridge 2> /dev/null &&
-   ip addr add "$net.1/24" dev "$bridge" && ip link set "$bridge" up; then spaces=1; fi
-address() { [ "$spaces" ] && echo "$net.1$1" || echo 127.0.0.1; }
-ports=$((20000 + $$ % 20000))
-{
-  cat << CONF
-ClusterName=vs
-SlurmctldHost=$host($([ "$spaces" ] && echo "$net.1" || echo 127.0.0.1))
-SlurmUser=$(id -un)
-SlurmdUser=$(id -un)
-AuthType=auth/munge
-AuthInfo=socket=$work/run/munge.socket
-SlurmctldPort=$ports
-SlurmctldPidFile=$work/run/slurmctld.pid
-SlurmctldLogFile=$work/slurmctld.log
-SlurmdPidFile=$work/run/slurmd-%n.pid
-SlurmdSpoolDir=$work/spool/%n
-SlurmdLogFile=$work/slurmd-%n.log
-StateSaveLocation=$work/state
-ProctrackType=proctrack/linuxproc
-TaskPlugin=task/none
-SelectType=select/cons_tres
-SelectTypeParameters=CR_Core
-SchedulerParameters=sched_interval=2,bf_interval=2,batch_sched_delay=0
-AccountingStorageType=accounting_storage/none
-JobAcctGatherType=jobacct_gather/none
-ReturnToService=2
-MpiDefault=none
-SlurmdTimeout=10
-SlurmctldTimeout=10
-KillWait=2
-CONF
-  for n in 1 2 3; do echo "NodeName=n$n NodeHostname=$host NodeAddr=$(address $n) Port=$((ports + n)) CPUs=1 RealMemory=2000"; done
-  echo "PartitionName=all Nodes=n[1-3] Default=YES MaxTime=INFINITE State=UP"
-} > slurm.conf
-export SLURM_CONF="$work/slurm.conf"
-
-# Starts node n$1. In a namespace its process 1 is this shell: when that is killed, all processes of the node are.
-start_node() {
-  mkdir -p "spool/n$1"
-  if [ -z "$spaces" ]; then slurmd -N "n$1"; return; fi
-  unshare --fork --pid --mount --net --mount-proc --kill-child sh -c '
-    until ip link set eth0 up 2> /dev/null; do sleep .05; done
-    ip addr add '"$(address "$1")"'/24 dev eth0; ip link set lo up
-    [ '"$1"' != 3 ] || [ ! -f '"$work"'/small ] || { mount -t tmpfs -o size=4k full '"$work"'/tmp && cp /bin/sh '"$work"'/tmp/ 2> /dev/null; }
-    mount -t tmpfs -o size=4k hidden '"$work"'/hidden
-    [ '"$1"' != 2 ] || : > '"$work"'/hidden/other
-    exec slurmd -D -N n'"$1" > /dev/null 2>&1 &
-  echo $! > "run/node$1"
-  for i in $(seq 100); do inside=$(ps -o pid= --ppid "$!" | tr -d ' '); [ "$inside" ] && break; sleep .05; done
-  ip link add "v$bridge$1" type veth peer name eth0 netns "$inside" && ip link set "v$bridge$1" master "$bridge" up
-}
-kill_node() { kill -9 "$(cat "run/node$1")"; rm "run/node$1"; }
-start_controller() { slurmctld > /dev/null 2>&1; }
-
-munged --force --key-file="$work/munge/key" --socket="$work/run/munge.socket" --pid-file="$work/run/munged.pid" \
-  --log-file="$work/munge/log" --seed-file="$work/munge/seed" 2> munge/said || { echo "skip cluster: munged does not start: $(tail -n 1 munge/said)"; exit 0; }
-start_controller
 [ -z "$LONG" ] || touch small
-for n in 1 2 3; do start_node $n; done
-for i in $(seq 100); do [ "$(sinfo -h -t idle -o %D 2> /dev/null)" = 3 ] && break; sleep .2; done
-if [ "$(sinfo -h -t idle -o %D)" != 3 ]; then echo "not ok cluster: the nodes do not start"; sinfo; tail -n 3 slurm*.log; exit 0; fi
+start_cluster > why; code=$?
+[ $code != 1 ] || { echo "skip cluster: $(cat why)"; exit 0; }
+[ $code = 0 ] || { echo "not ok cluster: $(cat why)"; exit 0; }
 jobs_left() { squeue -h | wc -l; }
 
 # ---- a sweep: bundles, a part that always fails, two submissions, cancelling and repeating ----
@@ -111,6 +35,7 @@ sed 's/plain/out/' plain/results.csv | cmp - out/results.csv >> why 2>&1
 made() { cat "$1"/jobs/bundle-*.log said | sed -n 's/^\(.*\): made in.*/\1/p' | sort | uniq -c | awk '{ print $1 }' | sort | uniq -c | xargs; }
 [ "$(made out)" = '11 1' ] || echo "parts were made: $(made out)" >> why
 [ "$(grep -h 'n=7: failed' out/jobs/bundle-*.log | wc -l)" = 1 ] || echo "the part that fails was tried again" >> why
+"$vs" jobs out | grep -qF '  messages: out/jobs/bundle-*.log' || { echo 'no file of messages is named:'; "$vs" jobs out; } >> why
 "$vs" jobs retry out | grep -q 'no part is left' || echo "vs jobs retry repeats a failed part" >> why
 result cluster:sweep why
 
