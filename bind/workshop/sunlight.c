@@ -10,11 +10,8 @@
 #include "bind/call/give.h"
 #include "bind/call/raise.h"
 #include "bind/call/refuse.h"
-#include "bind/call/scratch.h"
 #include "bind/measures.h"
-#include "bind/queries.h"
 #include "bind/shapes/taken_apart.h"
-#include "geometry/measure/ray_tree.h"
 
 /* Reads a time as hours of universal time: "15:00+01:00", "15:00:30Z", or "15:00", which is mean local time at the
  * longitude. */
@@ -114,7 +111,7 @@ static vs_status list_suns(vs_args *f, const vs_ray_tree *tree, double size, vs_
 }
 
 /* Adds the triangles of an object that casts a shadow to the mesh `all`. */
-static bool add_shade(vs_args *f, vs_ref ref, vs_mesh *all) {
+static bool add_shade(vs_args *f, size_t argument, vs_ref ref, vs_mesh *all) {
   vs_arg first = f->arg[0];
   vs_mesh m = { 0 };
   f->arg[0].ref = ref;
@@ -124,7 +121,7 @@ static bool add_shade(vs_args *f, vs_ref ref, vs_mesh *all) {
   vs_class class_ = (vs_class)ref.node->class_;
   if (!ok || class_ == VS_NOTHING) return ok;
   if ((class_ != VS_SOLID && class_ != VS_SURFACE) || ref.node->flags & VS_NODE_ENDLESS)
-    return vs_bind_refuse(f, "among", "a list of finite solids and surfaces", f->arg[4].value);
+    return vs_bind_refuse(f, "among", "a list of finite solids and surfaces", f->arg[argument].value);
   ok = vs_bend_triangles(f->vm, ref, &m);
   uint32_t base = (uint32_t)all->vertex_count;
   for (size_t i = 0; ok && i < m.vertex_count; i++)
@@ -137,22 +134,37 @@ static bool add_shade(vs_args *f, vs_ref ref, vs_mesh *all) {
   return ok;
 }
 
+bool vs_bind_shades(vs_args *f, size_t argument, vs_shades *s) {
+  vs_error e = { 0 };
+  *s = (vs_shades){ .any = false };
+  size_t count = f->arg[argument].refs.count;
+  s->ends = vs_store_realloc(f->store, NULL, 0, (s->count = count + 1) * sizeof *s->ends);
+  if (!s->ends) return vs_fail_memory(f->vm), false;
+  for (size_t i = 0; i < count; i++) {
+    if (!add_shade(f, argument, f->arg[argument].refs.at[i], &s->mesh)) return false;
+    s->ends[i] = s->mesh.triangle_count;
+  }
+  if (!s->mesh.triangle_count) return true;
+  vs_bounds b = vs_mesh_bounds(&s->mesh);
+  s->any = vs_ray_tree_make(&s->tree, f->store, &s->mesh, &e);
+  s->size = vs_bounds_diagonal(&b);
+  return s->any || vs_bind_error(f->vm, &e);
+}
+
+void vs_bind_shades_free(vs_args *f, vs_shades *s) {
+  if (s->ends) vs_store_realloc(f->store, s->ends, s->count * sizeof *s->ends, 0);
+  if (s->any) vs_ray_tree_free(&s->tree);
+  vs_mesh_free(&s->mesh);
+}
+
 /* Calls `count` with the triangles of the objects that cast shadows. */
 static vs_status among_shades(vs_args *f, vs_status (*count)(vs_args *, const vs_ray_tree *, double, vs_value *),
                               vs_value *out) {
-  vs_mesh m = { 0 };
-  vs_ray_tree tree = { 0 };
-  vs_error e = { 0 };
-  bool ok = true;
+  vs_shades s;
   if (f->arg[1].points.count != f->arg[0].points.count)
     return vs_fail(f->vm, f->vm->sym.range, "normals must be one gvector or as many as points");
-  for (size_t i = 0; ok && i < f->arg[4].refs.count; i++) ok = add_shade(f, f->arg[4].refs.at[i], &m);
-  vs_bounds b = vs_mesh_bounds(&m);
-  bool any = ok && m.triangle_count > 0;
-  if (any && !vs_ray_tree_make(&tree, f->store, &m, &e)) ok = vs_bind_error(f->vm, &e);
-  ok = ok && count(f, any ? &tree : NULL, any ? vs_bounds_diagonal(&b) : 0, out);
-  if (any) vs_ray_tree_free(&tree);
-  vs_mesh_free(&m);
+  bool ok = vs_bind_shades(f, 4, &s) && count(f, s.any ? &s.tree : NULL, s.size, out);
+  vs_bind_shades_free(f, &s);
   return ok ? VS_OK : VS_ERROR;
 }
 

@@ -4,7 +4,7 @@
     frame frame? frame-solve displacement rotation reaction reaction-moment member-force member-forces case-names combine-cases utilisation
     member-displacement buckling-modes vibration-modes mode? mode-value mode-curves deformed frame-picture color-legend
     u-value heat-balance load-epw weather? weather-place weather-hours irradiance monthly-sums monthly-means hourly-heat
-    view-factor daylight-factor faces-in sun-hours-on color-faces
+    view-factor daylight-factor illuminance grid-points grid-faces faces-in sun-hours-on color-faces
     walking-speed flow-time egress-time rooms-of-cut turning-area areas-by-use
     carbon glass-share pareto-front pareto-set
     egress egress-distance egress-path longest-egress isovist optimise

@@ -1,5 +1,5 @@
-; Light: view factors between polygons, the daylight factor under the overcast sky of the CIE, hours of sun on faces, and
-; colours on faces.
+; Light: view factors between polygons, daylight under the overcast sky of the CIE, grids, hours of sun on faces, and colours
+; on faces.
 
 ; ---- view factors ----
 
@@ -60,14 +60,64 @@
              (xyz (* s (cos (* k golden))) (* s (sin (* k golden))) c)))
       (iota n))))
 
+(define (flat-list o) (if (list? o) (append-map flat-list o) (list o)))
+
+; Returns the reflectance of each object: a number for all, or a list with one for each.
+(define (reflectances-of who reflectance objects)
+  (let ((l (if (list? reflectance) reflectance (map (lambda (o) reflectance) objects))))
+    (for-each (lambda (x) (if (not (and (real? x) (<= 0 x 0.95))) (error who "reflectance must be a number from 0 to 0.95, or a list of them, got ~s" x))) (if (null? l) (list reflectance) l))
+    (if (not (= (length l) (length objects))) (error who "reflectance must be one, or a list of ~a, one for each object of #:among, got ~a" (length objects) (length l)))
+    (list->vector (map inexact l))))
+
 ; Returns the daylight factors of places that look upwards: their part of the light of an overcast sky, by rays.
-(define (daylight-factor points #:among [among any? '()] #:glass [glass any? 1] #:inner [inner any? 0] #:rays [rays any? 4096])
-  (let ((places (if (point? points) (list points) points)))
-    (if (not (and (list? places) (every point? places))) (error 'daylight-factor "points must be a point or a list of points, got ~s" points))
-    (for-each (lambda (name x) (if (not (and (real? x) (<= 0 x 1))) (error 'daylight-factor "~a must be a number from 0 to 1, got ~s" name x))) '(glass inner) (list glass inner))
-    (if (not (and (exact-integer? rays) (<= 16 rays 1000000))) (error 'daylight-factor "rays must be an exact integer from 16 to 1000000, got ~s" rays))
-    (let ((parts (map (lambda (x) (+ inner (* glass x))) (core:lit places (map (lambda (p) (xyz 0 0 1)) places) (sky-directions rays) (/ 1. rays) (if (list? among) among (list among))))))
-      (if (point? points) (car parts) parts))))
+(define (daylight-factor points #:among [among any? '()] #:glass [glass any? 1] #:inner [inner any? 0] #:reflectance [reflectance any? 0] #:albedo [albedo any? 0.2] #:rays [rays any? 4096])
+  (daylight-of 'daylight-factor points among (lambda (sky reflected) (+ inner (* glass (+ sky reflected)))) (list glass inner albedo) reflectance rays))
+
+; Returns the illuminance of places that look upwards, in lx, when a level place in the open has `outdoor` lx.
+(define (illuminance points #:outdoor [outdoor any? 10000] #:among [among any? '()] #:glass [glass any? 1] #:inner [inner any? 0] #:reflectance [reflectance any? 0] #:albedo [albedo any? 0.2] #:rays [rays any? 4096])
+  (need-positive 'illuminance 'outdoor outdoor)
+  (daylight-of 'illuminance points among (lambda (sky reflected) (* outdoor (+ inner (* glass (+ sky reflected))))) (list glass inner albedo) reflectance rays))
+
+; parts: those of glass, inner surfaces and ground. Glass takes its part of all light, which has entered through it.
+(define (daylight-of who points among total parts reflectance rays)
+  (let* ((places (if (point? points) (list points) points)) (objects (flat-list among)) (albedo (third parts)))
+    (for-each (lambda (o) (if (not (and (object? o) (or (solid? o) (surface? o) (empty-object? o)))) (error who "among must be solids and surfaces, got ~a" (if (object? o) (format "a ~a" (object-kind o)) o)))) objects)
+    (if (not (and (list? places) (every point? places))) (error who "points must be a point or a list of points, got ~s" points))
+    (for-each (lambda (name x) (if (not (and (real? x) (<= 0 x 1))) (error who "~a must be a number from 0 to 1, got ~s" name x))) '(glass inner albedo) parts)
+    (if (not (and (exact-integer? rays) (<= 16 rays 1000000))) (error who "rays must be an exact integer from 16 to 1000000, got ~s" rays))
+    (let* ((each (reflectances-of who reflectance objects)) (normals (map (lambda (p) (xyz 0 0 1)) places))
+           (sky (core:lit places normals (sky-directions rays) (/ 1. rays) objects))
+           (reflected (if (every (lambda (x) (= x 0)) (vector->list each)) (map (lambda (p) 0) places)
+                          (vector->list (core:reflected-daylight places normals rays each (inexact albedo) objects))))
+           (all (map total sky reflected)))
+      (if (point? points) (car all) all))))
+
+; ---- grids ----
+
+; Returns the points of a grid within a room, so high above it: the middles of squares of the side `step` that lie within the
+; room, `margin` from its walls.
+(define (grid-points room #:step [step any? 0.5] #:height [height any? 0] #:margin [margin any? 0])
+  (for-each (lambda (name x) (need-number 'grid-points name x)) '(height margin) (list height margin))
+  (need-positive 'grid-points 'step step)
+  (if (< margin 0) (error 'grid-points "margin must not be negative, got ~s" margin))
+  (let* ((whole (region-of 'grid-points room)) (region (if (= margin 0) whole (do-offset whole (- margin)))) (box (bounding-box region)))
+    (if (not box) '()
+        (let* ((low (first box)) (wide (p->q low (second box))) (count (lambda (length) (max 1 (exact (floor (+ (/ length step) 1e-9))))))
+               (nx (count (cx wide))) (ny (count (cy wide))))
+          (if (> (* nx ny) 1000000) (error 'grid-points "step ~a is too fine for a room of ~a by ~a" step (cx wide) (cy wide)))
+          (append-map
+            (lambda (j)
+              (filter-map (lambda (i)
+                            (let ((p (+xy low (+ (/ (- (cx wide) (* nx step)) 2) (* step (+ i 1/2))) (+ (/ (- (cy wide) (* ny step)) 2) (* step (+ j 1/2))))))
+                              (and (contains? region p) (+z p height))))
+                (iota nx)))
+            (iota ny))))))
+
+; Returns level squares of this side with these middles, as faces.
+(define (grid-faces points side)
+  (if (not (and (list? points) (every point? points))) (error 'grid-faces "points must be a list of points, got ~s" points))
+  (need-positive 'grid-faces 'side side)
+  (let ((h (/ side 2))) (map (lambda (p) (list (+xy p (- h) (- h)) (+xy p h (- h)) (+xy p h h) (+xy p (- h) h))) points)))
 
 ; ---- faces ----
 
