@@ -6,6 +6,7 @@
 #include "passes/sugar.h"
 
 #include <stdio.h>
+#include <string.h>
 
 #include "geometry/measure/node_measures.h"
 #include "passes/rewrite.h"
@@ -192,6 +193,9 @@ static bool sugar_speaks(const vs_sugar_options *o, const vs_node *n) {
   return target[i] == o->target[i];
 }
 
+/* Returns true if the text only keeps its child from casting a shadow. It is written for untrusted models, too. */
+static bool sugar_shadowless(const vs_node *n) { return strcmp(VS_AS(native, n)->code, "no_shadow") == 0; }
+
 static vs_node *sugar_node(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
   const vs_sugar_options *o = w->state;
   bool unwrap = false;
@@ -200,7 +204,8 @@ static vs_node *sugar_node(vs_rewrite *w, const vs_node *n, const vs_ref *kids, 
   if (n->kind == VS_PART) unwrap = !o->keeps_parts;
   if (n->kind == VS_HIGHLIGHT) unwrap = o->highlights != VS_MARKS_KEEP;
   if (n->kind == VS_NATIVE)
-    unwrap = (o->muted || !sugar_speaks(o, n)) && !(o->keeps_text && kids[0].node->kind == VS_EMPTY);
+    unwrap = ((o->muted && !sugar_shadowless(n)) || !sugar_speaks(o, n)) &&
+             !(o->keeps_text && kids[0].node->kind == VS_EMPTY);
   if (n->kind == VS_GHOST) return vs_node_new(w->store, VS_EMPTY, NULL, NULL, 0);
   if (!unwrap) return vs_rewrite_keep(w, n, kids);
   *origin = n->kind == VS_CUSTOM ? NULL : kids[0].origin; /* the origin of an object of define-primitive is the user's
@@ -235,7 +240,8 @@ static bool sugar_look(sugar_kinds *k, const vs_scene *scene, vs_error *e) {
   for (size_t i = 0; ok && i < o.count; i++) {
     k->only |= o.at[i].node->kind == VS_ONLY;
     if (o.at[i].node->kind == VS_NATIVE) ok = sugar_lacks(k, o.at[i], e);
-    if (!k->native.node && o.at[i].node->kind == VS_NATIVE && sugar_speaks(k->options, o.at[i].node))
+    if (!k->native.node && o.at[i].node->kind == VS_NATIVE && sugar_speaks(k->options, o.at[i].node) &&
+        !sugar_shadowless(o.at[i].node))
       k->native = o.at[i];
   }
   vs_order_free(&o);

@@ -32,7 +32,7 @@ typedef struct {
                        * counted */
   bool strict;        /* true if native text without a replacement for this format causes an error instead of a
                        * warning */
-  bool muted;         /* true if native text is never written, and each such text causes a warning */
+  bool muted;         /* true if native text but "no_shadow" is never written, and causes a warning */
   const vs_job *job;  /* job that receives a warning once for each kind, with the first place of such a node; may be
                        * NULL */
 } vs_sugar_options;

@@ -97,6 +97,9 @@
              (color (scale-color v from high) (make-3dface (first p) (second p) (third p) (third p)))))
       corners values)))
 
+; Returns an object that casts no shadow in pictures, as paper beside the model.
+(define (shadowless o) (native 'povray "no_shadow" #:otherwise o))
+
 ; Returns a legend of the colours from low to high, upright in the plane of x and z: n fields above p, each with its value.
 (define (color-legend low high #:at [p any? origin] #:size [size any? 1] #:fields [n any? 5] #:format [text any? #f])
   (need-number 'color-legend 'low low)
@@ -107,7 +110,7 @@
   (append-map
     (lambda (k)
       (let* ((v (+ low (* (/ k (- n 1)) (- high low)))) (z (* k size)) (written (if text (text v) (number->string (/ (round (* 100 (inexact v))) 100)))))
-        (list (color (scale-color v low high) (make-box (+xz p 0 z) (+xyz p size (* 0.1 size) (+ z (* 0.92 size)))))
-              (color '(0.1 0.1 0.1)
-                (do-move (do-extrude (do-rotate (make-text origin (* 0.45 size) written) 'x pi/2) (vxyz 0 (* -0.05 size) 0)) (p->q origin (+xz p (* 1.3 size) (+ z (* 0.22 size)))))))))
+        (list (shadowless (color (scale-color v low high) (make-box (+xz p 0 z) (+xyz p size (* 0.1 size) (+ z (* 0.92 size))))))
+              (shadowless (color '(0.1 0.1 0.1)
+                (do-move (do-extrude (do-rotate (make-text origin (* 0.45 size) written) 'x pi/2) (vxyz 0 (* -0.05 size) 0)) (p->q origin (+xz p (* 1.3 size) (+ z (* 0.22 size))))))))))
     (iota n)))

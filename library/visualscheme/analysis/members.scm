@@ -129,9 +129,9 @@
   (let loop ((k (first-from v x0 place)) (l '()))
     (if (or (= k (vector-length v)) (> (cx (place (vector-ref v k))) x1)) (reverse l) (loop (+ k 1) (cons (vector-ref v k) l)))))
 
-; Returns the parts of a member at nodes that lie on it: lists of two numbers of nodes.
-(define (split-at-nodes from to points sorted tolerance)
-  (let* ((p (vector-ref points from)) (q (vector-ref points to)) (long (distance p q)) (d (unitize (p->q p q))) (box (lambda (f g) (list (- (min (f p) (f q)) tolerance) (+ (max (f p) (f q)) tolerance))))
+; Returns the parts of a member from p to q at nodes that lie on it: lists of two numbers of nodes.
+(define (split-at-nodes from to p q points sorted tolerance)
+  (let* ((long (distance p q)) (d (unitize (p->q p q))) (box (lambda (f g) (list (- (min (f p) (f q)) tolerance) (+ (max (f p) (f q)) tolerance))))
          (y (box cy cy)) (z (box cz cz))
          (on (filter-map
                (lambda (n)
@@ -142,26 +142,77 @@
          (all (append (list from) (map cdr (sort on (lambda (a b) (< (car a) (car b))))) (list to))))
     (map list all (cdr all))))
 
+; ---- offsets ----
+
+; An end of a piece in work: its place, and the number of its node.
+(define-record-type piece-end (make-piece-end place node) piece-end? (place end-place) (node end-node set-end-node!))
+; A piece in work: both ends, section and roll.
+(define-record-type joined-piece (make-joined-piece from to section roll) joined-piece? (from joined-from) (to joined-to) (section joined-section) (roll joined-roll))
+
+(define (nearest-on p q r) ; of the line from p to q to the point r
+  (let* ((d (p->q p q)) (t (max 0 (min 1 (/ (dot (p->q p r) d) (dot d d)))))) (p+v p (v*r d t))))
+
+; Joins each end that is alone at its node to the nearest other member whose solid its own touches: the end gets the number
+; of a node on that member's axis.
+(define (join-by-arms! pieces weld tolerance)
+  (let* ((uses (make-hash)) (use! (lambda (n) (hash-set! uses n (+ 1 (hash-ref uses n 0)))))
+         (low (lambda (j) (min (cx (end-place (joined-from j))) (cx (end-place (joined-to j)))))) (high (lambda (j) (max (cx (end-place (joined-from j))) (cx (end-place (joined-to j))))))
+         (radius (lambda (j) (shown-radius (joined-section j)))) (by-x (list->vector (sort pieces (lambda (a b) (< (low a) (low b))))))
+         (longest (apply max 0 (map (lambda (j) (- (high j) (low j))) pieces))) (widest (apply max 0 (map radius pieces))))
+    ; Returns the place on the nearest member that j touches at r; #f if there is none, or if r is on an axis.
+    (define (touched j r)
+      (let ((reach (+ (radius j) widest tolerance)))
+        (let loop ((k (first-from by-x (- (cx r) longest reach) (lambda (o) (xyz (low o) 0 0)))) (best #f) (least +inf.0))
+          (if (or (= k (vector-length by-x)) (> (low (vector-ref by-x k)) (+ (cx r) reach))) (and (> least tolerance) best)
+              (let* ((o (vector-ref by-x k)) (at (nearest-on (end-place (joined-from o)) (end-place (joined-to o)) r)) (d (distance at r)))
+                (if (and (not (eq? o j)) (< d least) (<= d (+ (radius j) (radius o) tolerance))) (loop (+ k 1) at d) (loop (+ k 1) best least)))))))
+    (for-each (lambda (j) (use! (end-node (joined-from j))) (use! (end-node (joined-to j)))) pieces)
+    (for-each
+      (lambda (j)
+        (for-each
+          (lambda (end other)
+            (let ((at (and (= 1 (hash-ref uses (end-node end) 0)) (touched j (end-place end)))))
+              (if at (let ((n (weld at))) (if (not (= n (end-node other))) (begin (set-end-node! end n) (use! n)))))))
+          (list (joined-from j) (joined-to j)) (list (joined-to j) (joined-from j))))
+      pieces)))
+
+; Returns the options of a part of a piece: its roll, and the arms of the piece's ends that are its own.
+(define (part-options j part points tolerance)
+  (let ((arm (lambda (end n name) (let ((v (p->q (vector-ref points n) (end-place end)))) (if (and (= n (end-node end)) (> (vlength v) tolerance)) (list name v) '())))))
+    (append (if (= (joined-roll j) 0) '() (list 'roll (joined-roll j))) (arm (joined-from j) (first part) 'offset-start) (arm (joined-to j) (second part) 'offset-end))))
+
 ; Returns a list of the nodes, members and sections of drawn objects.
-(define (members-of objects #:section [section any? #f] #:tolerance [tolerance any? 1e-3] #:segments [n any? 16])
+(define (members-of objects #:section [section any? #f] #:tolerance [tolerance any? 1e-3] #:segments [n any? 16] #:offsets [offsets any? #f])
   (need-positive 'members-of 'tolerance tolerance)
   (if (not (and (exact-integer? n) (<= 1 n 10000))) (error 'members-of "segments must be an exact integer from 1 to 10000, got ~s" n))
+  (if (not (boolean? offsets)) (error 'members-of "offsets must be #t or #f, got ~s" offsets))
   (let ((pieces '()) (balls '()) (weld (welder tolerance)) (s (and section (section-for section))))
     (each-piece objects s n (lambda (p) (set! pieces (cons p pieces))) (lambda (b) (set! balls (cons b balls))))
     (let* ((widest (apply max 0 (map second balls))) (around (sorted-by-x balls car))
            (snapped (lambda (p)
                       (let ((b (find (lambda (b) (<= (distance (car b) p) (+ (* 1.000001 (second b)) tolerance))) (between around (- (cx p) (* 1.01 widest) tolerance) (+ (cx p) (* 1.01 widest) tolerance) car))))
                         (if b (car b) p))))
-           (joined (map (lambda (p) (list (weld (snapped (first p))) (weld (snapped (second p))) p)) (reverse pieces)))
-           (nodes (weld #f)) (points (list->vector (cons #f nodes))) (sorted (sorted-by-x (iota (length nodes) 1) (lambda (k) (vector-ref points k))))
-           (split (append-map (lambda (j)
-                                (if (= (first j) (second j)) '()
-                                    (map (lambda (m) (list m (third j))) (split-at-nodes (first j) (second j) points sorted tolerance))))
-                    joined)))
-      (if (null? split) (error 'members-of "the objects have no members"))
-      (list nodes
-        (map (lambda (m) (let ((roll (fourth (second m)))) (if (= roll 0) (first m) (append (first m) (list 'roll roll))))) split)
-        (map (lambda (m) (third (second m))) split)))))
+           (end-at (lambda (p) (let ((at (snapped p))) (make-piece-end at (weld at)))))
+           (joined (filter (lambda (j) (not (= (end-node (joined-from j)) (end-node (joined-to j)))))
+                     (map (lambda (p) (make-joined-piece (end-at (first p)) (end-at (second p)) (third p) (fourth p))) (reverse pieces)))))
+      (if offsets (join-by-arms! joined weld tolerance))
+      (if (null? joined) (error 'members-of "the objects have no members"))
+      (split-pieces joined (list->vector (cons #f (weld #f))) tolerance offsets))))
+
+; Returns nodes, members and sections. With arms, some nodes are left without members, and have no number.
+(define (split-pieces joined points tolerance arms)
+  (let* ((used (make-hash)) (count 0)
+         (use! (lambda (k) (if (not (hash-ref used k #f)) (begin (set! count (+ count 1)) (hash-set! used k count)))))
+         (begun (for-each (lambda (j) (use! (end-node (joined-from j))) (use! (end-node (joined-to j)))) joined)) ; in the order of the objects
+         (sorted (sorted-by-x (filter (lambda (k) (hash-ref used k #f)) (iota (- (vector-length points) 1) 1)) (lambda (k) (vector-ref points k))))
+         (split (append-map (lambda (j)
+                              (let* ((from (joined-from j)) (to (joined-to j)) (place (lambda (end) (if arms (end-place end) (vector-ref points (end-node end))))))
+                                (map (lambda (part) (list part (if arms (part-options j part points tolerance) (if (= (joined-roll j) 0) '() (list 'roll (joined-roll j)))) (joined-section j)))
+                                  (split-at-nodes (end-node from) (end-node to) (place from) (place to) points sorted tolerance))))
+                  joined)))
+    (list (map (lambda (k) (vector-ref points k)) (sort (hash-keys used) (lambda (a b) (< (hash-ref used a) (hash-ref used b)))))
+      (map (lambda (m) (append (map (lambda (k) (hash-ref used k)) (first m)) (second m))) split)
+      (map third split))))
 
 ; ---- nodes by place ----
 

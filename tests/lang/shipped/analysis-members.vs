@@ -150,4 +150,39 @@
 (fails (size-frame two '()))                                        ; expect: size-frame: sections must be a list of sections from the lightest, got ()
 (fails (size-frame two list-of-tubes #:groups '((1 1))))            ; expect: size-frame: groups: a member is in two groups in ((1 1))
 (size-frame bracket (list (tube-section 0.03 0.003)))               ; expect warning: size-frame: member 1 uses 27.19 of its strength with the last section of the list
+; ---- ends that touch other members beside their axes ----
+(define (post x high) (make-cylinder (xyz x 0 0) (xyz x 0 high) 0.1))
+(define (parts-of-list l) (list (first l) (second l)))
+(define (rounded x) ; to a millionth
+  (define (r x) (/ (round (* 1e6 x)) 1e6))
+  (cond ((pair? x) (map rounded x)) ((point? x) (xyz (r (cx x)) (r (cy x)) (r (cz x)))) ((gvector? x) (vxyz (r (cx x)) (r (cy x)) (r (cz x)))) (else x)))
+; a beam between two posts that go on above it, from face to face: arms of a radius; the posts are cut
+(define between-posts (members-of (list (post 0 4) (post 6 4) (make-box (xyz 0.1 -0.05 2.9) (xyz 5.9 0.05 3.1))) #:offsets #t))
+(say (rounded (parts-of-list between-posts)))
+; expect: ((((xyz 0 0 0) (xyz 0 0 4) (xyz 6 0 0) (xyz 6 0 4) (xyz 0 0 3) (xyz 6 0 3)) ((1 5) (5 2) (3 6) (6 4) (5 6 offset-start (vxyz 0.1 0 0) offset-end (vxyz -0.1 0 0)))))
+(say (length (first (members-of (list (post 0 4) (post 6 4) (make-box (xyz 0.1 -0.05 2.9) (xyz 5.9 0.05 3.1)))))))
+; expect: (6)
+; a beam that lies on two posts: their heads are half of its height below its axis; a joist lies on the beam
+(define on-posts (members-of (list (post 0 4) (post 6 4) (make-box (xyz 0 -0.05 4) (xyz 6 0.05 4.2)) (make-box (xyz 2.95 0 4.2) (xyz 3.05 3 4.4)) (make-cylinder (xyz 3 3 0) (xyz 3 3 4.2) 0.1)) #:offsets #t))
+(say (rounded (map (lambda (m) (filter-map (lambda (name) (and (memq name m) (cadr (memq name m)))) '(offset-start offset-end))) (second on-posts))) (length (first on-posts)))
+; expect: ((((vxyz 0 0 -0.1)) ((vxyz 0 0 -0.1)) () () ((vxyz 0 0 0.2) (vxyz 0 0 0.1)) ()) 7)
+; forces balance, and a post under the beam's end carries half of the load; the frame is no mechanism
+(define (on-ground nodes) (map (lambda (n) (list n 'fixed)) (nodes-where nodes (lambda (p) (< (cz p) 1e-9)))))
+(define (answer l) (frame-solve (frame (first l) (second l) #:sections (third l) #:supports (on-ground (first l)) #:loads '(weight))))
+(define (lifted l) (apply + (map (lambda (s) (cz (reaction (answer l) (car s)))) (on-ground (first l)))))
+(define (heavy l) ; the weight of the true lengths
+  (let ((at (list->vector (cons #f (first l)))) (arm (lambda (m name) (if (memq name m) (cadr (memq name m)) (vxyz 0 0 0)))))
+    (apply + (map (lambda (m s) (* 9.81 7850 (section-area s) (distance (p+v (vector-ref at (first m)) (arm m 'offset-start)) (p+v (vector-ref at (second m)) (arm m 'offset-end))))) (second l) (third l)))))
+(say (map (lambda (l) (same? (lifted l) (heavy l))) (list between-posts on-posts)))
+; expect: ((#t #t))
+; the arms act: a load on a bracket that a post carries by its face bends the post by force times arm and length
+(define bracket (members-of (list (post 0 3) (make-cylinder (xyz 0.1 0 3) (xyz 1 0 3) 0.05)) #:offsets #t))
+(define bent (let ((nodes (first bracket))) (frame-solve (frame nodes (second bracket) #:sections (third bracket) #:supports (on-ground nodes) #:loads (list (list (nearest-node nodes (xyz 1 0 3)) (vxyz 0 0 -1000)))))))
+(say (rounded (second bracket)) (same? (cy (reaction-moment bent (first (first (on-ground (first bracket)))))) -1000))
+; expect: (((1 2 offset-end (vxyz -0.1 0 0)) (2 3)) #t)
+; ends that are far from all, or already joined, stay; without members all is as before
+(define hall-of-lines (list (make-line origin (xyz 0 0 3) (xyz 4 0 3) (xyz 4 0 0)) (make-line (xyz 9 9 9) (xyz 9 9 12))))
+(say (equal? (parts-of-list (members-of hall-of-lines #:section 0.01 #:offsets #t)) (parts-of-list (members-of hall-of-lines #:section 0.01))))
+; expect: (#t)
+(fails (members-of (post 0 3) #:offsets 1)) ; expect: members-of: offsets must be #t or #f, got 1
 ; expect no other warnings
