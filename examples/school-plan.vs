@@ -48,7 +48,7 @@
 (printf "rooms where no wheelchair turns: ~a; areas in m2: ~a~%" (length narrow)
   (map (lambda (row) (list (first row) (tenths (second row)))) (areas-by-use (map (lambda (r) (list (if (memq r classrooms) 'nuf5 'vf) r)) rooms) #:gross (* long deep))))
 
-; The floor shows how far each square metre is from an exit; a pipe shows the longest way.
+; The floor shows how far each square metre is from an exit; a pipe above the walls shows the longest way.
 (define tile 0.85)
 (define (tiles r)
   (let ((box (bounding-box r)))
@@ -57,11 +57,11 @@
       (range (cx (first box)) (- (cx (second box)) (* 0.9 tile)) tile))))
 (define squares (append-map tiles rooms))
 (define most (second farthest))
-(define floor-colours (color-faces (map (lambda (s) (let ((x (first s)) (y (second s)) (b (* 0.97 tile))) (list (xyz x y 0.02) (xyz (+ x b) y 0.02) (xyz (+ x b) (+ y b) 0.02) (xyz x (+ y b) 0.02)))) squares) (map third squares) #:from 0 #:to most))
-(camera (xyz (* 0.42 long) (* -1.3 deep) 36) (xyz (* 0.53 long) (* 0.46 deep) 0) #:lens 30)
+(define floor-colours (color-faces (map (lambda (s) (let ((x (first s)) (y (second s)) (b tile)) (list (xyz x y 0.02) (xyz (+ x b) y 0.02) (xyz (+ x b) (+ y b) 0.02) (xyz x (+ y b) 0.02)))) squares) (map third squares) #:from 0 #:to most))
+(camera (xyz (* 0.53 long) (* -0.6 deep) 50) (xyz (* 0.545 long) (* 0.46 deep) 0) #:lens 34)
 (draw
   (color '(0.95 0.94 0.91) (do-slice walls (make-plane (xyz 0 0 1.6) (vxyz 0 0 -1))))
   floor-colours
-  (color '(0.1 0.1 0.12) (do-move (make-pipe (egress-path out (first farthest)) 0.09) (vxyz 0 0 -0.6)) (make-sphere (+z (first farthest) -0.6) 0.3))
+  (color '(0.1 0.1 0.12) (do-move (make-pipe (egress-path out (first farthest)) 0.1) (vxyz 0 0 0.7)) (make-sphere (+z (first farthest) 0.7) 0.3))
   (color '(0.86 0.85 0.82) (make-box (xyz -60 -60 -0.3) (xyz (+ long 60) (+ deep 60) 0)))
   (do-move (do-rotate (color-legend 0 most #:size 1.5 #:format (lambda (v) (format "~a m" (exact (round v))))) 'x -pi/2) (vxyz (+ long 1.5) 1 0.2)))
