@@ -152,20 +152,33 @@
 (define (nearest-on p q r) ; of the line from p to q to the point r
   (let* ((d (p->q p q)) (t (max 0 (min 1 (/ (dot (p->q p r) d) (dot d d)))))) (p+v p (v*r d t))))
 
+; Returns a procedure of a point that returns the pieces whose axes may be nearer than `reach`: they lie in its cell. Cells are
+; as large as two members; a piece is in those around its points at every quarter of a cell and less.
+(define (pieces-near pieces reach)
+  (let* ((cells (make-hash)) (ends (lambda (j) (list (end-place (joined-from j)) (end-place (joined-to j)))))
+         (size (max (* 4 reach) (/ (* 2 (apply + (map (lambda (j) (apply distance (ends j))) pieces))) (max 1 (length pieces))))) (wide (+ (/ size 4) reach))
+         (key (lambda (x) (exact (floor (/ x size))))) (keys (lambda (x) (iota (+ 1 (- (key (+ x wide)) (key (- x wide)))) (key (- x wide))))))
+    (define (cells-of p) (append-map (lambda (i) (append-map (lambda (j) (map (lambda (k) (list i j k)) (keys (cz p)))) (keys (cy p)))) (keys (cx p))))
+    (for-each
+      (lambda (j)
+        (let* ((e (ends j)) (n (exact (ceiling (/ (* 2 (apply distance e)) size)))))
+          (for-each (lambda (c) (hash-set! cells c (cons j (hash-ref cells c '()))))
+            (delete-duplicates (append-map (lambda (k) (cells-of (intermediate-point (first e) (second e) (/ k (max 1 n))))) (iota (+ 1 n)))))))
+      pieces)
+    (lambda (p) (hash-ref cells (map key (list (cx p) (cy p) (cz p))) '()))))
+
 ; Joins each end that is alone at its node to the nearest other member whose solid its own touches: the end gets the number
 ; of a node on that member's axis.
 (define (join-by-arms! pieces weld tolerance)
-  (let* ((uses (make-hash)) (use! (lambda (n) (hash-set! uses n (+ 1 (hash-ref uses n 0)))))
-         (low (lambda (j) (min (cx (end-place (joined-from j))) (cx (end-place (joined-to j)))))) (high (lambda (j) (max (cx (end-place (joined-from j))) (cx (end-place (joined-to j))))))
-         (radius (lambda (j) (shown-radius (joined-section j)))) (by-x (list->vector (sort pieces (lambda (a b) (< (low a) (low b))))))
-         (longest (apply max 0 (map (lambda (j) (- (high j) (low j))) pieces))) (widest (apply max 0 (map radius pieces))))
+  (let* ((uses (make-hash)) (use! (lambda (n) (hash-set! uses n (+ 1 (hash-ref uses n 0))))) (radius (lambda (j) (shown-radius (joined-section j))))
+         (around (pieces-near pieces (+ tolerance (* 2 (apply max 0 (map radius pieces)))))))
     ; Returns the place on the nearest member that j touches at r; #f if there is none, or if r is on an axis.
     (define (touched j r)
-      (let ((reach (+ (radius j) widest tolerance)))
-        (let loop ((k (first-from by-x (- (cx r) longest reach) (lambda (o) (xyz (low o) 0 0)))) (best #f) (least +inf.0))
-          (if (or (= k (vector-length by-x)) (> (low (vector-ref by-x k)) (+ (cx r) reach))) (and (> least tolerance) best)
-              (let* ((o (vector-ref by-x k)) (at (nearest-on (end-place (joined-from o)) (end-place (joined-to o)) r)) (d (distance at r)))
-                (if (and (not (eq? o j)) (< d least) (<= d (+ (radius j) (radius o) tolerance))) (loop (+ k 1) at d) (loop (+ k 1) best least)))))))
+      (let ((best (fold (lambda (o best)
+                          (let* ((at (nearest-on (end-place (joined-from o)) (end-place (joined-to o)) r)) (d (distance at r)))
+                            (if (and (not (eq? o j)) (or (not best) (< d (car best))) (<= d (+ (radius j) (radius o) tolerance))) (cons d at) best)))
+                    #f (around r))))
+        (and best (> (car best) tolerance) (cdr best))))
     (for-each (lambda (j) (use! (end-node (joined-from j))) (use! (end-node (joined-to j)))) pieces)
     (for-each
       (lambda (j)
