@@ -64,11 +64,51 @@
             (if (or (> c 0.9999) (< c -0.9999)) reach (max reach (* r (sqrt (/ (+ 1 c) (- 1 c))))))))
         0 others))
 
-; Returns the half-spaces beyond the planes that halve the angles to the other bars at the node p. A half-space to subtract
-; has a small mesh at the bar's end; one to intersect would have a mesh as long as the bar.
-(define (%mitres p d others)
-  (filter-map (lambda (e) (and (>= (distance (p+v origin d) (p+v origin e)) 1e-6) (make-half-space (make-plane p (v-v e d)))))
-              others))
+; Returns two unit vectors across d, the same for each equal d.
+(define (%across d)
+  (let ((u (unitize (cross d (if (< (abs (cz d)) 0.9) uz ux)))))
+    (list u (cross d u))))
+
+; Returns the directions of the bars whose mitres shape the end of the bar along d. All mitre planes contain the node. A
+; plane that halves the angle to e cuts the bar at a height that is linear in the two coordinates across the bar: a slope.
+; A mitre cuts something that the others leave if and only if its slope is a corner of the convex hull of all slopes.
+(define (%mitring d others)
+  (let ((across (%across d)) (apart (remove (lambda (e) (< (distance (p+v origin d) (p+v origin e)) 1e-6)) others)))
+    (define (slope e)
+      (let ((n (v-v d e))) (map (lambda (a) (/ (dot a n) (- (dot d n)))) across)))
+    (map cdr (%hull-corners (map (lambda (e) (cons (slope e) e)) apart)))))
+
+; Returns the entries ((x y) . value) whose points are corners of the convex hull of the points.
+(define (%hull-corners entries)
+  (define (before? a b) (or (< (caar a) (caar b)) (and (= (caar a) (caar b)) (< (cadar a) (cadar b)))))
+  (define (corner? a b c) ; true if the way from a by b to c turns left at b
+    (let ((u (map - (car c) (car a))) (v (map - (car b) (car a))))
+      (> (- (* (car v) (cadr u)) (* (cadr v) (car u))) (* 1e-9 (apply max 1e-12 (map abs u))))))
+  (define (chain sorted)
+    (fold (lambda (e made)
+            (let loop ((made made))
+              (if (and (pair? made) (pair? (cdr made)) (not (corner? (cadr made) (car made) e))) (loop (cdr made)) (cons e made))))
+          '() sorted))
+  (if (< (length entries) 3)
+      entries
+      (let ((sorted (list-sort before? entries)))
+        (append (cdr (chain sorted)) (cdr (chain (reverse sorted)))))))
+
+; Returns the solids to subtract from the bar along d at the node p: a tetrahedron for each mitre. Its base lies in the
+; plane that halves the angle. Both bars of a mitre have the same base, to the last digit, so that their faces meet
+; without slivers, which half-spaces of two bars would leave.
+(define (%mitres p d others size)
+  (map (lambda (e)
+         (let* ((n (unitize (v-v d e))) (side (if (> (+ (cx n) (* 1.1 (cy n)) (* 1.2 (cz n))) 0) n (v*r n -1))) (across (%across side)))
+           (define (corner angle)
+             (p+v p (v+v (v*r (car across) (* size (cos angle))) (v*r (cadr across) (* size (sin angle))))))
+           (make-polyface-mesh (append (map corner (enumerate 0 2pi 3)) (list (p-v p (v*r n size)))) '((1 2 3) (1 4 2) (2 4 3) (3 4 1)))))
+       (%mitring d others)))
+
+; Returns the size of a node's mitres, the same for all of its bars: a vector of numbers, by the nodes' numbers.
+(define (%mitre-sizes around r)
+  (define (reach at) (apply max 0 (map (lambda (d) (%mitre-reach d (remove (lambda (e) (equal? e d)) at) r)) at)))
+  (vector-map (lambda (at) (* 8 (+ r (reach at)))) around))
 
 ; Returns the solids of a net: a ball at each node that has bars, then a bar for each member.
 (define (frame-members net r #:nodes [nodes any? 'balls] #:node-radius [node-radius any? #f])
@@ -82,14 +122,14 @@
            (inset (if (eq? nodes 'balls) (sqrt (- (square ball) (square r))) 0))
            (short (find (lambda (m) (<= (long m) (max 1e-12 (* 2 inset)))) members)))
       (if short (error 'frame-members "the member ~s is ~a long, and its nodes take ~a" short (long short) (* 2 inset)))
-      (let ((around (%directions points members)))
+      (let* ((around (%directions points members)) (sizes (if (eq? nodes 'mitred) (%mitre-sizes around r) #f)))
         (define (bar m)
           (let* ((p (vector-ref at (first m))) (q (vector-ref at (second m))) (d (unitize (p->q p q))) (back (v*r d -1)))
             (if (eq? nodes 'mitred)
                 (let* ((at-p (remove (lambda (e) (equal? e d)) (vector-ref around (first m))))
                        (at-q (remove (lambda (e) (equal? e back)) (vector-ref around (second m))))
                        (whole (make-cylinder (p-v p (v*r d (%mitre-reach d at-p r))) (p+v q (v*r d (%mitre-reach back at-q r))) r)))
-                  (apply subtract whole (append (%mitres p d at-p) (%mitres q back at-q))))
+                  (apply subtract whole (append (%mitres p d at-p (vector-ref sizes (first m))) (%mitres q back at-q (vector-ref sizes (second m))))))
                 (make-cylinder (p+v p (v*r d inset)) (p-v q (v*r d inset)) r))))
         (append
           (if (eq? nodes 'balls)
