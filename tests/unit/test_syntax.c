@@ -93,7 +93,7 @@ static void test_messages(void **state) {
       "1:1 this body ends with a definition; an expression must follow, whose value it has" },
     { "(if 1)", "1:1 if is written (if test then else), not (if 1)" },
     { "(if 1 (define y 1) 2)", "1:7 define is not allowed here, only at top level or in the body of a procedure, let, "
-                               "when and the like; for a name inside an expression use let" },
+                               "when, cond and the like; for a name inside an expression use let" },
     { "(cond (else 1) (2 3))", "1:7 else must be the last clause of cond" },
     { "(list else)", "1:7 else is syntax and has no value; it is written (cond ... (else value ...))" },
     { "(list . 5)", "1:1 a call is a list: remove the . in it: (list . 5)" },

@@ -597,7 +597,7 @@ static bool expression(vs_expansion *x) {
     return vs_expand_fail(
         x, x->now.pos, VS_ABSENT, "%s is not allowed here, only at top level%s", form_table[form].name,
         form <= VS_FORM_define_syntax
-            ? " or in the body of a procedure, let, when and the like; for a name inside an expression use let"
+            ? " or in the body of a procedure, let, when, cond and the like; for a name inside an expression use let"
             : "");
   case VS_FORM_else: case VS_FORM_arrow:
     return vs_expand_fail(x, x->now.pos, VS_ABSENT, "%s belongs in a clause of cond or case%s", form_table[form].name,

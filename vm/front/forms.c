@@ -45,6 +45,12 @@ static bool sequence(vs_expansion *x, vs_value forms, vs_pos pos, vs_core_node *
   return vs_expand_list(x, forms, x->now.env, seq->as.seq.at, depth + 1);
 }
 
+/* Expands the values of a clause of cond or case. Several values are a body, which may contain definitions. */
+static bool clause_values(vs_expansion *x, vs_value forms, vs_pos pos, vs_core_node **into, uint32_t depth) {
+  return vs_list_length(forms) > 1 ? vs_expand_body(x, forms, x->now.env, pos, into, depth)
+                                   : sequence(x, forms, pos, into, depth);
+}
+
 bool vs_form_begin(vs_expansion *x) {
   if (vs_list_length(x->now.form) < 1) return vs_expand_shape(x, VS_FORM_begin);
   return sequence(x, vs_cdr(x->now.form), x->now.pos, x->now.into, x->now.depth);
@@ -176,7 +182,7 @@ bool vs_form_cond(vs_expansion *x) {
   if (vs_is_form(env, vs_car(clause), VS_FORM_else)) {
     if (more != VS_NIL) return vs_expand_fail(x, pos, VS_ABSENT, "else must be the last clause of cond");
     if (n == 1) return vs_expand_fail(x, pos, VS_ABSENT, "an expression is missing in this else");
-    return sequence(x, vs_cdr(clause), pos, x->now.into, x->now.depth);
+    return clause_values(x, vs_cdr(clause), pos, x->now.into, x->now.depth);
   }
   vs_core_node *node = vs_expand_node(x, VS_AST_IF, pos), *let = NULL;
   if (!node) return false;
@@ -203,7 +209,7 @@ bool vs_form_cond(vs_expansion *x) {
       return false;
   } else if (n == 1) {
     if (!(node->as.branch.then = vs_ast_local(&x->ast, let->as.let.vars[0], pos))) return false;
-  } else if (!sequence(x, vs_cdr(r[0]), pos, &node->as.branch.then, x->now.depth + 1)) return false;
+  } else if (!clause_values(x, vs_cdr(r[0]), pos, &node->as.branch.then, x->now.depth + 1)) return false;
   if (!vs_expand_push(x, VS_TASK_EXPR, vs_car(r[0]), x->now.env, vs_element_pos(r[0], true, outer), test,
                       x->now.depth + 1))
     return false;
@@ -285,7 +291,7 @@ bool vs_case_step(vs_expansion *x) {
     depth++;
   }
   vs_value body = vs_cdr(r[0]);
-  if (!vs_is_form(x->now.env, vs_car(body), VS_FORM_arrow)) return sequence(x, body, pos, value, depth);
+  if (!vs_is_form(x->now.env, vs_car(body), VS_FORM_arrow)) return clause_values(x, body, pos, value, depth);
   if (n != 3) return vs_expand_fail(x, pos, r[0], "one procedure follows =>:");
   vs_core_node *call = vs_expand_many(x, VS_AST_CALL, 1, pos);
   if (!call || !(call->as.call.at[0] = vs_ast_local(&x->ast, x->now.var, pos))) return false;
