@@ -14,7 +14,7 @@ static vs_status error(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_text t;
   vs_text_open(vm, &t, 0);
   bool ok = vs_print(vm, a[0], VS_PRINT_DISPLAY, &t) &&
-            (!plt || (vs_text_puts(&t, ": ") && vs_format(vm, a, 1, n, &t))) && vs_text_end(&t);
+            (!plt || (vs_text_puts(&t, ": ") && vs_format(vm, a, 1, n, 240, &t))) && vs_text_end(&t);
   r[0] = VS_NIL;
   for (int i = n; ok && !plt && i-- > 1;) ok = vs_cons(vm, a[i], r[0], &r[0]);
   vm->native = NULL;                              /* the message consists of the program's text, without "error: "

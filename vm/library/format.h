@@ -6,8 +6,8 @@
 
 #include "vm/values/printer.h"
 
-/* Appends the control string a[control] to t. The arguments a[control+1] to a[n-1] replace its directives. Returns
- * false with the error set. */
-bool vs_format(vs_scheme *vm, const vs_value *a, int control, int n, vs_text *t);
+/* Appends the control string a[control] to t. The arguments a[control+1] to a[n-1] replace its directives, each
+ * ~s by at most `brief` bytes (0: no limit). Returns false with the error set. */
+bool vs_format(vs_scheme *vm, const vs_value *a, int control, int n, size_t brief, vs_text *t);
 
 #endif

@@ -171,7 +171,7 @@ static bool format_number(vs_scheme *vm, vs_value v, char directive, const forma
 }
 
 /* Appends the control string a[control] to t. The arguments after it replace its directives. */
-bool vs_format(vs_scheme *vm, const vs_value *a, int control, int n, vs_text *t) {
+bool vs_format(vs_scheme *vm, const vs_value *a, int control, int n, size_t brief, vs_text *t) {
   size_t length = vs_as_string(a[control])->length;
   int next = control + 1;
   VS_ASSERT(control < n);
@@ -203,8 +203,9 @@ bool vs_format(vs_scheme *vm, const vs_value *a, int control, int n, vs_text *t)
     if (next >= n)
       return vs_fail(vm, vm->sym.error, "the format has more directives than there are values (%d)", n - control - 1);
     vs_value v = a[next++];
-    vs_text own, *to = field.width > 0 ? &own : t;
-    vs_text_open(vm, &own, 0);
+    const size_t limit = d == 's' ? brief : 0;
+    vs_text own, *to = field.width > 0 || limit ? &own : t;
+    vs_text_open(vm, &own, limit);
     bool number = strchr("boxef", d) != NULL;
     bool ok = number ? format_number(vm, v, d, &field, to)
                      : vs_print(vm, v, d == 'a' || d == 'd' || d == 'c' ? VS_PRINT_DISPLAY : VS_PRINT_WRITE, to);
@@ -214,7 +215,7 @@ bool vs_format(vs_scheme *vm, const vs_value *a, int control, int n, vs_text *t)
       for (size_t k = 0; k < own.count; k++) shown += ((unsigned char)own.at[k] & 0xC0) != 0x80;
       bool before = field.before || number || d == 'd';
       for (int64_t k = shown; ok && before && k < field.width; k++) ok = vs_text_char(t, field.pad);
-      ok = ok && (!own.count || vs_text_put(t, own.at, own.count));
+      ok = ok && (!own.count || vs_text_put(t, own.at, own.count)) && (!own.cut || vs_text_puts(t, " ..."));
       for (int64_t k = shown; ok && !before && k < field.width; k++) ok = vs_text_char(t, field.pad);
     }
     vs_text_close(&own);
@@ -234,8 +235,8 @@ static vs_status format(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (control && a[0] != VS_FALSE && !out_port(vm, a, a[0] == VS_TRUE ? 0 : 1, 0, 0, &r[0])) return VS_ERROR;
   vs_text t;
   vs_text_open(vm, &t, 0);
-  if (control && a[0] != VS_FALSE) return flush_text(vm, r[0], &t, vs_format(vm, a, control, n, &t));
-  bool ok = vs_format(vm, a, control, n, &t) && vs_text_to_string(&t, out);
+  if (control && a[0] != VS_FALSE) return flush_text(vm, r[0], &t, vs_format(vm, a, control, n, 0, &t));
+  bool ok = vs_format(vm, a, control, n, 0, &t) && vs_text_to_string(&t, out);
   vs_text_close(&t);
   return ok;
 }
@@ -246,7 +247,7 @@ static vs_status printf_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_text t;
   if (!vs_arg_type(vm, a, 0, VS_T_STRING) || !out_port(vm, a, 0, 0, 0, &r[0])) return VS_ERROR;
   vs_text_open(vm, &t, 0);
-  return flush_text(vm, r[0], &t, vs_format(vm, a, 0, n, &t));
+  return flush_text(vm, r[0], &t, vs_format(vm, a, 0, n, 0, &t));
 }
 
 static vs_status fprintf_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
@@ -255,7 +256,7 @@ static vs_status fprintf_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_text t;
   if (!out_port(vm, a, n, 0, 0, &r[0]) || !vs_arg_type(vm, a, 1, VS_T_STRING)) return VS_ERROR;
   vs_text_open(vm, &t, 0);
-  return flush_text(vm, r[0], &t, vs_format(vm, a, 1, n, &t));
+  return flush_text(vm, r[0], &t, vs_format(vm, a, 1, n, 0, &t));
 }
 
 /* ---- opening output ports ---- */
