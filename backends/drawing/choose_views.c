@@ -46,7 +46,18 @@ static bool find_at_end(const vs_emitter *e, const char *base, vs_scene_view *ou
   return false;
 }
 
-/* Warns if the end of the file's name is the name of a view in other models, but this model has no such view. */
+/* Returns true if the model has a view that only drawings are made of: a plan, a section, or a parallel view with a scale
+ * or a sheet. */
+static bool has_drawing_view(const vs_scene *scene) {
+  for (size_t i = 0; i < scene->view_count; i++) {
+    const vs_scene_view *v = &scene->views[i];
+    if (v->cut != VS_CUT_NONE || v->scale > 0 || v->sheet) return true;
+  }
+  return false;
+}
+
+/* Warns if the end of the file's name is the name of a view in other models, but this model has no such view; or if the
+ * name names no view, but the model has views for drawings. */
 static void warn_of_name(const vs_emitter *e, const char *base) {
   static const char *const words[] = { "north", "south", "east", "west", "roof", "floor", "ground", "side", "rear",
                                        "perspective", "axonometry", "elevations", "sections", "views" };
@@ -54,11 +65,12 @@ static void warn_of_name(const vs_emitter *e, const char *base) {
   char message[300];
   for (const char *at = base; *at; at++)
     if (strchr("-_. ", *at) && at[1]) last = at + 1;
-  bool view = last > base && e->scene->view_count > 0;
+  bool view = has_drawing_view(e->scene) || (last > base && e->scene->view_count > 0);
   for (size_t i = 0; i < sizeof words / sizeof *words; i++) view = view || strcmp(last, words[i]) == 0;
   if (!view) return;
   snprintf(message, sizeof message,
-           "the file's name ends in \"%.80s\", and the model has no view of that name: the drawing is the plan", last);
+           "%s \"%.80s\", and the model has no view of that name: the drawing is the plan",
+           last > base ? "the file's name ends in" : "the file's name is", last);
   vs_job_warn(e->job, NULL, message);
 }
 
