@@ -97,7 +97,8 @@ vs_status vs_p_erase_all(vs_args *f, vs_value *out) {
 static vs_status around(vs_args *f, vs_kind kind, const void *data, const vs_arg *objects, vs_value *out) {
   vs_ref child;
   char name[64];
-  if (objects->refs.count == 0 && objects != f->arg && f->given < 2) {
+  const bool pen = kind == VS_LAYER && (f->key[0].given || f->key[1].given);
+  if (objects->refs.count == 0 && objects != f->arg && f->given < 2 && !pen) {
     vs_bind_own_name(f, name);
     vs_bind_warn(f->bind, "no object",
                  "%s has no object here, and does not change objects drawn elsewhere: write (%s%s object)", name, name,

@@ -105,9 +105,24 @@
       (%warn (format "unroll: the ruled surface is not developable: laid flat, it is up to ~a % wider halfway along its rulings" (%percent (fifth found)))))
   (first found))
 
+; Returns the region moved and turned into the plane XY, with its looks. A level region is only moved.
+(define (%region-flat o)
+  (let* ((corners (map car (%curve-corners (first (outline o))))) (n (%loop-normal corners)))
+    (if (> (abs (cz n)) (- 1 1e-12))
+        (do-move o (vxyz 0 0 (- (cz (first corners)))))
+        (let* ((p (first corners)) (x (unitize (cross uz n))) (y (cross n x)))
+          (define (row v) (list (cx v) (cy v) (cz v) (- (dot v (p->q origin p)))))
+          (do-transform o (apply make-matrix (append (row x) (row y) (row n) '(0 0 0 1))))))))
+
+; Returns the unit normal of the flat loop through points.
+(define (%loop-normal points)
+  (let* ((p (first points)) (sides (map (lambda (q) (p->q p q)) (cdr points))))
+    (unitize (fold v+v (vxyz 0 0 0) (map cross sides (append (cdr sides) (list (car sides))))))))
+
 (define (unroll surface)
-  (if (not (and (object? surface) (or (surface? surface) (solid? surface)))) (error 'unroll "surface must be a surface, got ~s" surface))
+  (if (not (and (object? surface) (or (surface? surface) (solid? surface) (region? surface)))) (error 'unroll "surface must be a surface, got ~s" surface))
   (cond
+    ((region? surface) (%region-flat surface))
     ((%unroll-exact surface))
     ((solid? surface) (error 'unroll "surface must be a surface, a cylinder or a cone; unfold lays other solids flat"))
     (else

@@ -62,11 +62,18 @@
           (reverse made)
           (loop (cdr l) (+ at (if (null? (cdr l)) 0 (distance (car l) (cadr l)))) (cons (cons (car l) at) made))))))
 
-; Returns the curves of a part in the order in which a laser cuts: what is engraved, inner borders, outer borders.
+; Returns the curves of a part, or of a list of parts, in the order in which a laser cuts: what is engraved, then for each
+; part inner borders, then outer borders.
 (define (cut-lines part #:kerf [kerf any? 0] #:tabs [tabs any? #f])
-  (if (not (object? part)) (error 'cut-lines "part must be an object, got ~s" part))
+  (if (not (or (object? part) (and (list? part) (every object? part))))
+      (error 'cut-lines "part must be an object or a list of objects, got ~s" part))
   (%need-kerf 'cut-lines kerf)
   (%need-tabs 'cut-lines tabs)
+  (let ((made (map (lambda (p) (%cut-lines p kerf tabs)) (if (list? part) part (list part)))))
+    (append (append-map car made) (append-map cdr made))))
+
+; Returns a pair of lists: the curves of a part that are engraved, and the borders, inner ones first.
+(define (%cut-lines part kerf tabs)
   (let ((engraved '()) (inner '()) (outer '()))
     (define (within wrap o)
       (case (object-kind o)
@@ -85,7 +92,7 @@
                   (if tabs (%with-joints c (first tabs) (second tabs)) (list c)))))
           curves)))
     (within values part)
-    (append (reverse engraved) (reverse inner) (reverse outer))))
+    (cons (reverse engraved) (append (reverse inner) (reverse outer)))))
 
 ; Returns true if a curve of an outline bounds a hole: an odd number of the other curves surround it.
 (define (%hole-of? c curves)

@@ -153,13 +153,22 @@ static bool shape_of(vs_args *f, vs_ref ref, vs_part_shape *out, vs_part_box *bo
   return ok;
 }
 
+/* Returns the tolerance for parts like s, relative to their size. `tolerance` is relative if it is positive. A negative
+ * one is a length, of which at most a hundredth of the part's size counts. */
+static double relative_tolerance(const vs_part_shape *s, double tolerance) {
+  if (tolerance >= 0) return tolerance;
+  const double size = s->count ? vs_v3_length(s->corners[s->count - 1]) : pow(s->measure, 1.0 / s->dimension);
+  return size > 0 ? fmin(0.01, -tolerance / size) : 0;
+}
+
 /* Sets group[i] to the index of the first part whose shape equals that of part i. */
 static bool find_groups(vs_args *f, const vs_part_shape *shapes, size_t count, double tolerance, size_t *group) {
   size_t *firsts = vs_bind_scratch(f, (count + 1) * sizeof *firsts), first_count = 0;
   if (!firsts) return false;
   for (size_t i = 0; i < count; i++) {
+    const double slack = relative_tolerance(&shapes[i], tolerance);
     size_t k = 0;
-    while (k < first_count && !vs_part_shapes_equal(&shapes[firsts[k]], &shapes[i], tolerance)) k++;
+    while (k < first_count && !vs_part_shapes_equal(&shapes[firsts[k]], &shapes[i], slack)) k++;
     if (k == first_count) firsts[first_count++] = i;
     group[i] = firsts[k];
     if (!vs_poll(vs_call_vm(f), 64)) return false;
@@ -168,7 +177,7 @@ static bool find_groups(vs_args *f, const vs_part_shape *shapes, size_t count, d
 }
 
 /* (%part-groups parts tolerance): returns a list with, for each part, the index of the first part that has the same
- * shape. */
+ * shape (relative_tolerance). */
 vs_status vs_p_part_groups(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   const size_t n = vs_arg_refs(f, 0).count;

@@ -131,11 +131,14 @@
 
 ; Returns a list of lists: the parts that are equal, up to place and turn, in the order of their first parts.
 (define (%groups-of who parts tolerance)
-  (if (not (and (real? tolerance) (< 0 tolerance 1))) (error who "#:tolerance must be a number between 0 and 1, got ~s" tolerance))
   (let ((parts (%flat-parts who parts)) (groups (make-hash)))
     (for-each (lambda (part first) (hash-set! groups first (cons part (hash-ref groups first '())))) parts (%part-groups (map %drawn parts) tolerance))
     (map (lambda (group) (reverse (cdr group))) (hash->list groups))))
-(define (part-groups parts #:tolerance [tolerance any? 1e-6]) (%groups-of 'part-groups parts tolerance))
+(define (%need-part-tolerance who tolerance)
+  (if (not (and (real? tolerance) (< 0 tolerance 1))) (error who "#:tolerance must be a number between 0 and 1, got ~s" tolerance)))
+(define (part-groups parts #:tolerance [tolerance any? 1e-6])
+  (%need-part-tolerance 'part-groups tolerance)
+  (%groups-of 'part-groups parts tolerance))
 
 ; Returns the lengths of the smallest box around a part, the largest first.
 (define (part-size o)
@@ -153,15 +156,30 @@
 
 (define %cut-sizes '(length width thickness))
 
-; Returns rows: a head, then a row for each set of equal parts: their mark, their number, and the other columns.
-(define (cut-list parts #:digits [digits any? #f] #:tolerance [tolerance any? 1e-6] #:densities [densities any? '()] . columns)
+; Returns the part's size, to be rounded; lengths in the middle of two rounded numbers, such as 0.115, all come out on the upper side.
+(define (%clean-size p digits) (map (lambda (x) (if digits (* x (+ 1 1e-12)) x)) (part-size p)))
+
+; Returns a list of lists: the parts of a group whose rounded sizes are equal, in the order of their first parts.
+(define (%groups-of-size parts digits)
+  (let ((groups (make-hash)))
+    (for-each (lambda (p)
+                (let ((key (map (lambda (x) (%rounded x digits)) (%clean-size p digits))))
+                  (hash-set! groups key (cons p (hash-ref groups key '())))))
+              parts)
+    (map (lambda (group) (reverse (cdr group))) (hash->list groups))))
+
+; Returns rows: a head, then a row for each set of equal parts: their mark, their number, and the other columns. Rounded
+; lengths make parts equal that differ by less than half of the last digit, which a negative tolerance says.
+(define (cut-list parts #:digits [digits any? #f] #:tolerance [tolerance any? #f] #:densities [densities any? '()] . columns)
   (if digits (%need-digits 'cut-list digits))
+  (if tolerance (%need-part-tolerance 'cut-list tolerance))
   (for-each (lambda (c)
               (if (not (or (memq c '(mark count)) (memq c %cut-sizes) (and (not (eq? c 'cost)) (%schedule-column? c))))
                   (error 'cut-list "a column is one of ~s, a procedure of an object, or a pair of a name and a procedure, got ~s"
                          (append '(mark count) %cut-sizes '(name layer material area volume mass)) c)))
             columns)
-  (let ((columns (if (null? columns) '(mark count length width thickness) columns)))
+  (let ((columns (if (null? columns) '(mark count length width thickness) columns))
+        (tolerance (or tolerance (if digits (/ (expt 10. (- digits)) -2) 1e-6))))
     (define (cell c group number size)
       (cond
         ((eq? c 'mark) (%part-mark number))
@@ -171,10 +189,12 @@
           (let ((cells (map car (cdr (schedule (car group) c #:densities densities)))))
             (if (memq c %schedule-sums) (apply + cells) (car cells))))))
     (cons (map %column-head columns)
-          (let loop ((groups (%groups-of 'cut-list parts tolerance)) (number 0))
+          (let loop ((groups (if (< tolerance 0) (append-map (lambda (g) (%groups-of-size g digits)) (%groups-of 'cut-list parts tolerance))
+                                 (%groups-of 'cut-list parts tolerance)))
+                     (number 0))
             (if (null? groups)
                 '()
-                (let ((size (part-size (caar groups))))
+                (let ((size (%clean-size (caar groups) digits)))
                   (cons (map (lambda (c) (%rounded (cell c (car groups) number size) digits)) columns)
                         (loop (cdr groups) (+ number 1)))))))))
 
