@@ -65,11 +65,23 @@ typedef struct {
   size_t text_bytes;
   bool names;                    /* whether the drawing is divided into parts without an output */
   double told;                   /* clock in seconds when progress was last reported to the host */
+  vs_origin warned;              /* place of the last warning; line 0: there was none with a place */
+  char warning[200];             /* beginning of its text */
 } writing;
 
 /* ---- callbacks for interrupts, progress and warnings ---- */
 
+/* Returns true if the last warning had the same place and text, as for each brick of a list. Remembers the warning. */
+static bool warned_before(writing *j, const vs_origin *at, const char *message) {
+  const bool same = at && j->warned.line && j->warned.file == at->file && j->warned.line == at->line &&
+                    j->warned.column == at->column && strncmp(j->warning, message, sizeof j->warning - 1) == 0;
+  j->warned = at ? *at : (vs_origin){ 0 };
+  snprintf(j->warning, sizeof j->warning, "%s", message);
+  return same;
+}
+
 static void job_warn(void *output, const vs_origin *origin, const char *message) {
+  if (warned_before(output, origin, message)) return;
   vs_session_warn(((writing *)output)->session, origin, message);
 }
 

@@ -65,11 +65,11 @@
 ; Returns the curves of a part, or of a list of parts, in the order in which a laser cuts: what is engraved, then for each
 ; part inner borders, then outer borders.
 (define (cut-lines part #:kerf [kerf any? 0] #:tabs [tabs any? #f])
-  (if (not (or (object? part) (and (list? part) (every object? part))))
+  (if (not (or (object? part) (and (list? part) (every object? (flatten part)))))
       (error 'cut-lines "part must be an object or a list of objects, got ~s" part))
   (%need-kerf 'cut-lines kerf)
   (%need-tabs 'cut-lines tabs)
-  (let ((made (map (lambda (p) (%cut-lines p kerf tabs)) (if (list? part) part (list part)))))
+  (let ((made (map (lambda (p) (%cut-lines p kerf tabs)) (if (list? part) (flatten part) (list part)))))
     (append (append-map car made) (append-map cdr made))))
 
 ; Returns a pair of lists: the curves of a part that are engraved, and the borders, inner ones first.
@@ -133,7 +133,7 @@
 ; Returns sheets, each a list of the parts that are placed on it, with all that lies on them.
 (define (pack-parts parts #:sheet sheet #:gap [gap any? 0] #:margin [margin any? 0] #:turn [turn any? 'any]
                     #:count [count any? 1] #:kerf [kerf any? 0] #:tabs [tabs any? #f] #:effort [effort any? 1])
-  (let ((parts (if (object? parts) (list parts) parts)))
+  (let ((parts (cond ((object? parts) (list parts)) ((list? parts) (flatten parts)) (else parts))))
     (if (not (list? parts)) (error 'pack-parts "parts must be a list of objects, got ~s" parts))
     (if (not (and (list? sheet) (= (length sheet) 2) (every (lambda (x) (and (real? x) (finite? x) (> x 0))) sheet)))
         (error 'pack-parts "sheet must be (list width height), two positive numbers, got ~s" sheet))

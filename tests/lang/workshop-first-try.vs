@@ -35,6 +35,11 @@
 (displayln (map (lambda (c) (round (curve-length c))) (drop (cut-lines (list (washer 0) (washer 9))) 2)))
 ; expect: (6.0 13.0 6.0 13.0)
 
+; parts are lists of lists, too, such as both lists of ribs
+(define-values (across along) (ribs (make-sphere (xyz 0 0 0) 9) #:x 3 #:y 2 #:thickness 0.5))
+(displayln (list (apply + (map length (pack-parts (list across along) #:sheet '(60 60) #:effort 0))) (map object-layer (take-right (cut-lines (list across (list along))) 5))))
+; expect: (5 (cut cut cut cut cut))
+
 ; a layer without objects sets its pen, without a warning
 (displayln (empty-object? (layer "cut" #:color "red" #:line 0.1)))
 ; expect: #t
