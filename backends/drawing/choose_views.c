@@ -46,8 +46,7 @@ static bool find_at_end(const vs_emitter *e, const char *base, vs_scene_view *ou
   return false;
 }
 
-/* Returns true if the model has a view that only drawings are made of: a plan, a section, or a parallel view with a scale
- * or a sheet. */
+/* Returns true if the model has a view for drawings: one with a cut, a scale or a sheet. */
 static bool has_drawing_view(const vs_scene *scene) {
   for (size_t i = 0; i < scene->view_count; i++) {
     const vs_scene_view *v = &scene->views[i];
@@ -56,8 +55,8 @@ static bool has_drawing_view(const vs_scene *scene) {
   return false;
 }
 
-/* Warns if the end of the file's name is the name of a view in other models, but this model has no such view; or if the
- * name names no view, but the model has views for drawings. */
+/* Warns if the end of the file's name is the name of a view in other models, but this model has no such view. If the
+ * model has views for drawings, warns of every name that names none. */
 static void warn_of_name(const vs_emitter *e, const char *base) {
   static const char *const words[] = { "north", "south", "east", "west", "roof", "floor", "ground", "side", "rear",
                                        "perspective", "axonometry", "elevations", "sections", "views" };
