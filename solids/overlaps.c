@@ -72,6 +72,7 @@ typedef struct {
   const vs_kernel_options *options;
   size_t pairs;
   bool too_much;
+  bool loose; /* true if the mesh may still overlap itself, because its solid would have too many triangles */
 } work;
 
 /* Replaces m by the solid of all space around which m winds more than 0 times. left: limit on the work; NULL: no limit.
@@ -89,6 +90,23 @@ static bool resolve(vs_mesh *m, const vs_kernel_options *options, work *left, vs
   if (!vs_kernel_resolve(m, 0, options, &whole, &why)) return vs_mesh_free(&whole), failed(&why, e);
   vs_mesh_free(m);
   *m = whole;
+  return true;
+}
+
+/* Returns the number of triangles at which the repair of m stops. Where many faces nearly coincide, each removal of
+ * overlaps doubles their number, and the repair would never end. */
+static size_t most_triangles(const vs_mesh *m) { return m->triangle_count + m->triangle_count / 2 + 100; }
+
+/* Replaces m as resolve does, but leaves it unchanged if the solid has `most` triangles or more. *done: true if m was
+ * replaced. Returns false on failure. */
+static bool resolve_within(vs_mesh *m, size_t most, work *left, bool *done, vs_error *e) {
+  vs_mesh solid = { 0 };
+  bool ok = (vs_mesh_copy(m, &solid) || vs_error_memory(e, NULL)) && resolve(&solid, left->options, left, e);
+  *done = ok && !left->too_much && solid.triangle_count < most;
+  left->loose = left->loose && !*done;
+  if (!*done) return vs_mesh_free(&solid), ok;
+  vs_mesh_free(m);
+  *m = solid;
   return true;
 }
 
@@ -153,7 +171,7 @@ static bool unite_runs(const vs_bends *bends, double step, work *left, vs_mesh *
   vs_mesh *runs;
   size_t count;
   if (!vs_bends_runs(bends, STEPS, &runs, &count)) return vs_error_memory(e, NULL);
-  bool ok = true;
+  bool ok = true, done;
   for (size_t i = 0; ok && i < count && !left->too_much; i++) ok = unite(&runs[i], step, left, e);
   for (size_t apart = 1; apart < count; apart *= 2)
     for (size_t i = 0; ok && i + apart < count && !left->too_much; i += 2 * apart)
@@ -165,7 +183,9 @@ static bool unite_runs(const vs_bends *bends, double step, work *left, vs_mesh *
   }
   for (size_t i = 0; i < count; i++) vs_mesh_free(&runs[i]);
   free(runs);
-  return ok && (left->too_much || (resolve(m, left->options, left, e) && drop_flakes(m, step, e)));
+  left->loose = true;
+  return ok && (left->too_much ||
+                (resolve_within(m, most_triangles(m), left, &done, e) && (!done || drop_flakes(m, step, e))));
 }
 
 /* ---- rounding ---- */
@@ -209,25 +229,28 @@ static bool mend(vs_mesh *m, double per, const vs_kernel_options *options, vs_er
 }
 
 /* Sets *met to true if triangles of m would intersect after rounding (find_met). If so, removes the overlaps of m once
- * more and searches again. Returns false on failure. */
-static bool try_out(vs_mesh *m, work *left, bool *met, vs_vec3 *at, vs_error *e) {
+ * more and searches again; leaves m unchanged if it would then have `most` triangles or more. Returns false on
+ * failure. */
+static bool try_out(vs_mesh *m, size_t most, work *left, bool *met, vs_vec3 *at, vs_error *e) {
+  bool done;
   if (!find_met(m, left->options, met, at, e)) return false;
-  return !*met || (resolve(m, left->options, left, e) && (left->too_much || find_met(m, left->options, met, at, e)));
+  if (!*met) return true;
+  return resolve_within(m, most, left, &done, e) && (!done || find_met(m, left->options, met, at, e));
 }
 
 /* Several times, repairs m on a grid of `per` steps per unit and removes the resulting intersections. Stops if the
- * number of triangles grows, because this would never end. *met: true if triangles still intersect. Returns false on
- * failure. */
+ * number of triangles grows too much. *met: true if triangles still intersect. Returns false on failure. */
 static bool settle_on(vs_mesh *m, double per, work *left, bool *met, vs_vec3 *at, vs_error *e) {
   enum { ROUNDS = 4 };
   vs_bounds b = vs_mesh_bounds(m);
-  size_t most = m->triangle_count + m->triangle_count / 2 + 100;
+  size_t most = most_triangles(m);
   bool ok = true;
   *met = true;
-  for (int round = 0; ok && *met && round < ROUNDS && !left->too_much && m->triangle_count < most; round++) {
+  for (int round = 0; ok && *met && round < ROUNDS; round++) {
     ok = mend(m, per, left->options, e) && resolve(m, left->options, left, e);
-    if (!ok || left->too_much) break;
-    ok = drop_flakes(m, 1e-6 * vs_bounds_diagonal(&b), e) && try_out(m, left, met, at, e);
+    if (!ok || left->too_much || m->triangle_count >= most) break;
+    ok = drop_flakes(m, 1e-6 * vs_bounds_diagonal(&b), e) && try_out(m, most, left, met, at, e);
+    if (left->too_much) break;
   }
   return ok;
 }
@@ -239,7 +262,9 @@ static bool settle(vs_mesh *m, double coarsest, work *left, bool *met, vs_vec3 *
   vs_bounds b = vs_mesh_bounds(m);
   double size = vs_bounds_diagonal(&b);
   int digits = -(int)floor(log10(fmax(coarsest, size * 0x1p-20)));
-  bool ok = try_out(m, left, met, at, e);
+  if (m->vertex_count) *at = m->vertices[0];
+  bool ok = try_out(m, most_triangles(m), left, met, at, e);
+  *met = *met || left->loose;
   for (int finer = 1; ok && *met && finer >= 0 && !left->too_much; finer--) {
     double per = pow(10, digits + finer);
     vs_mesh tried = { 0 };
@@ -303,7 +328,7 @@ typedef struct {
 static bool free_sweep(sweep *s, vs_mesh *m, vs_error *e) {
   vs_bounds b = vs_mesh_bounds(m);
   double tolerance = s->fineness->tolerance, step = fmax(tolerance / 16, vs_bounds_diagonal(&b) * 0x1p-20);
-  work left = { s->options, MOST_PAIRS, false };
+  work left = { s->options, MOST_PAIRS, false, false };
   bool crowd, changed = true, met = false, turns;
   s->outcome = FREED;
   if (!is_crowd(s->bends, m, s->options, &crowd, e)) return false;
