@@ -68,13 +68,15 @@ static vs_ref below(vs_ref at, vs_affine *placed) { /* returns the object inside
 
 /* ---- formulas; each distinct node is measured once ---- */
 
+static bool is_swept(const vs_node *n) { return n->kind == VS_SWEEP || n->kind == VS_THICKEN; }
+
 static bool formula(measuring *m, vs_node *n, vs_measure *out) {
   bool found, overlaps = false;
   uint64_t *place = vs_nodemap_put(&m->known, n, &found);
   if (!place) return memory(m);
   if (found && *place) return *out = m->formulas.at[*place - 1], true;
   if (!vs_node_measure(n, out, m->error)) return false;
-  if (!out->known && m->ask != VS_ASK_CENTROID && (n->kind == VS_SWEEP || n->kind == VS_THICKEN)) {
+  if (!out->known && m->ask != VS_ASK_CENTROID && is_swept(n)) {
     vs_bounds b;
     if (!vs_sweep_measure(n, out, m->error) || !vs_bounds_memo_get(&m->boxes, n, &b, m->error)) return false;
     vs_fineness f = { m->tolerance > 0 ? m->tolerance : vs_fineness_tolerance(&b), 0 };
@@ -319,6 +321,30 @@ static bool take_apart(measuring *m, job j) {
 
 /* ---- parts without a formula ---- */
 
+/* Sets m->rough if the parts that are meshed together contain a sweep or pipe that overlaps itself. Returns false on
+ * failure. */
+static bool find_rough(measuring *m, int which, const vs_fineness *f) {
+  vs_nodemap seen = { .store = m->known.store };
+  VS_LIST(vs_node *) stack = { 0 };
+  bool ok = true, found;
+  for (size_t i = 0; ok && i < m->rest[which].count; i++)
+    ok = VS_PUSH(&m->k, stack, m->rest[which].at[i].node) || memory(m);
+  while (ok && stack.count && !m->rough) {
+    vs_node *n = stack.at[--stack.count];
+    if (is_swept(n)) ok = vs_primitive_overlaps(n, f, m->k.options, &m->rough, m->error);
+    for (uint32_t i = 0; ok && !is_swept(n) && i < n->child_count; i++) {
+      vs_node *child = n->children[i].node;
+      if (child->class_ != VS_SOLID) continue;
+      ok = vs_nodemap_put(&seen, child, &found) && (found || VS_PUSH(&m->k, stack, child));
+      ok = ok || memory(m);
+    }
+    ok = ok && (vs_kernel_poll(&m->k, 1) || kernel_failed(m));
+  }
+  VS_DROP(&m->k, stack);
+  vs_nodemap_free(&seen);
+  return ok;
+}
+
 static bool mesh_rest(measuring *m, int which, const vs_bounds *drawing) {
   const vs_ref *refs = m->rest[which].at;
   vs_fineness f = { m->tolerance > 0 ? m->tolerance : vs_fineness_tolerance(drawing), 0 };
@@ -330,7 +356,9 @@ static bool mesh_rest(measuring *m, int which, const vs_bounds *drawing) {
     size_t triangles = solid.mesh.triangle_count;
     vs_solid_free(&solid);
     double finer = fmin(CHEAP / fmax((double)triangles, 1), 64);
-    if (m->tolerance > 0 || m->rough || finer < 2) break;
+    if (m->tolerance > 0 || finer < 2) break;
+    if (!m->rough && !find_rough(m, which, &f)) return false;
+    if (m->rough) break;
     f.tolerance = ldexp(f.tolerance, -(int)floor(log2(finer)));
   }
   add(m, one.volume, one.area, one.centroid, which ? -1 : 1);
