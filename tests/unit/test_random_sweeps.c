@@ -293,7 +293,7 @@ static vs_node *half_of(vs_store *s, vs_node *sweep) {
  * with the usual tolerance if the sweep overlaps itself; otherwise a finer mesh is measured. */
 static void cut_sweeps_are_measured_at_their_own_tolerance(void **state) {
   (void)state;
-  enum { EACH = 3, SMALL = 2500 };
+  enum { EACH = 2, SMALL = 1500 };
   int tested[2] = { 0, 0 };
   if (seeds_asked(1, 1).asked) return;
   for (uint64_t seed = 1; seed < 200 && (tested[0] < EACH || tested[1] < EACH); seed++) {
