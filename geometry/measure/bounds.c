@@ -260,10 +260,10 @@ void vs_bounds_memo_free(vs_bounds_memo *m) {
   *m = (vs_bounds_memo){ .places = { .store = s } };
 }
 
-static bool bounds_memo_put(vs_bounds_memo *m, const vs_node *n, const vs_bounds *b) {
+static bool bounds_memo_put(vs_bounds_memo *m, const vs_node *n, const vs_reach *b) {
   if (m->count == m->room) {
     size_t room = m->room ? m->room * 2 : 64;
-    vs_bounds *grown = vs_store_realloc(m->places.store, m->at, m->room * sizeof *grown, room * sizeof *grown);
+    vs_reach *grown = vs_store_realloc(m->places.store, m->at, m->room * sizeof *grown, room * sizeof *grown);
     if (!grown) return false;
     m->at = grown;
     m->room = room;
@@ -275,7 +275,7 @@ static bool bounds_memo_put(vs_bounds_memo *m, const vs_node *n, const vs_bounds
   return true;
 }
 
-static const vs_bounds *bounds_memo_known(const vs_bounds_memo *m, const vs_node *n) {
+static const vs_reach *bounds_memo_known(const vs_bounds_memo *m, const vs_node *n) {
   const uint64_t *place = vs_nodemap_get(&m->places, n);
   return place ? &m->at[*place] : NULL;
 }
@@ -341,15 +341,20 @@ static bool bounds_plain(const vs_node *n, vs_bounds *b) {
 
 /* Sets *b to the bounds of node n: from the memo, or by a formula for a leaf with a single parent, which is not in the
  * memo. Returns false on failure. */
-static bool bounds_child(const vs_bounds_memo *m, const vs_node *n, vs_bounds *b, vs_error *e) {
-  bool lone = bounds_is_lone_leaf(n);
-  if (lone && bounds_plain(n, b)) return true;
-  const vs_bounds *known = lone ? NULL : bounds_memo_known(m, n);
+static bool bounds_child(const vs_bounds_memo *m, const vs_node *n, vs_reach *b, vs_error *e) {
+  const vs_reach *known = bounds_is_lone_leaf(n) ? NULL : bounds_memo_known(m, n);
   vs_affine here = vs_affine_identity();
   vs_bounds none = vs_bounds_empty();
   bool leaf;
-  *b = known ? *known : none;
-  return known || bounds_leaf(n, &here, &none, b, &leaf, e);
+  if (known) {
+    *b = *known;
+    return true;
+  }
+  b->box = none;
+  if (!(bounds_is_lone_leaf(n) && bounds_plain(n, &b->box)) && !bounds_leaf(n, &here, &none, &b->box, &leaf, e))
+    return false;
+  b->ball = vs_ball_of_box(&b->box);
+  return true;
 }
 
 static bool bounds_is_axial(const vs_affine *a) { /* returns true if a maps axis-parallel boxes to axis-parallel
@@ -381,7 +386,8 @@ static bool bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affine *
                           vs_error *e) {
   struct { const vs_node *node; vs_affine map; uint32_t next; vs_bounds all; } level[TURNED_DEEP];
   size_t depth = 1, steps = 0;
-  vs_bounds b = vs_bounds_empty(), box;
+  vs_bounds b = vs_bounds_empty();
+  vs_reach child;
   bool leaf;
   level[0].node = n, level[0].map = *map, level[0].next = 0, level[0].all = b;
   while (depth) {
@@ -409,10 +415,10 @@ static bool bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affine *
       b = level[--depth].all;
     } else {
       b = vs_bounds_empty();
-      if (!bounds_child(m, at, &box, e) ||
-          (!bounds_is_swept(at) && !bounds_leaf(at, &level[top].map, &box, &b, &leaf, e)))
+      if (!bounds_child(m, at, &child, e) ||
+          (!bounds_is_swept(at) && !bounds_leaf(at, &level[top].map, &child.box, &b, &leaf, e)))
         return false;
-      if (bounds_is_swept(at) || !leaf) b = vs_bounds_transform(&box, &level[top].map);
+      if (bounds_is_swept(at) || !leaf) b = vs_bounds_transform(&child.box, &level[top].map);
       depth--;
     }
   }
@@ -421,30 +427,50 @@ static bool bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affine *
   return true;
 }
 
-/* Sets *b to the bounds of node n, whose children's bounds are known. children: bounds of all its children together.
- * Returns false on failure. */
-static bool bounds_of(vs_bounds_memo *m, const vs_node *n, vs_bounds children, vs_bounds *b, vs_error *e) {
+/* Sets *b to the bounds of the placement n. children: those of its child. A placed primitive has a formula. Only a few
+ * nested placements are followed, because a long sequence would take quadratic time. Returns false on failure. */
+static bool bounds_of_placement(vs_bounds_memo *m, const vs_node *n, const vs_reach *children, vs_reach *b,
+                                vs_error *e) {
   vs_affine placed = vs_affine_identity();
-  vs_bounds child;
+  const vs_node *below = n;
+  for (int steps = 0; steps < 16 && (below->kind == VS_TRANSFORM || vs_node_is_wrapper(below)); steps++) {
+    if (below->kind == VS_TRANSFORM) placed = vs_affine_multiply(&placed, &VS_AS(transform, below)->matrix);
+    below = below->children[0].node;
+  }
+  bool swept = bounds_is_swept(below), done = false, leaf = false;
+  if (bounds_is_set(below) && !(below->flags & VS_NODE_ENDLESS) && !bounds_is_axial(&placed) &&
+      !bounds_turned(m, below, &placed, &b->box, &done, e))
+    return false;
+  b->ball = vs_ball_mapped(&children->ball, &VS_AS(transform, n)->matrix);
+  if (done) return true;
+  b->box = vs_bounds_empty();
+  if (!swept && !bounds_leaf(below, &placed, &children->box, &b->box, &leaf, e)) return false;
+  if (leaf) return true;
+  b->box = vs_bounds_transform(&children->box, &VS_AS(transform, n)->matrix);
+  vs_ball_limit(&b->ball, &b->box);
+  return true;
+}
+
+/* Reduces *b, the bounds of all children of n together, to those of n: a difference lies in its first operand, and an
+ * intersection in each. Returns false on failure. */
+static bool bounds_of_operands(const vs_bounds_memo *m, const vs_node *n, vs_reach *b, vs_error *e) {
+  uint32_t within = n->kind == VS_INTERSECTION ? n->child_count : n->kind == VS_DIFFERENCE && n->child_count;
+  for (uint32_t i = 0; i < within; i++) {
+    vs_reach child;
+    if (!bounds_child(m, n->children[i].node, &child, e)) return false;
+    if (i == 0 && n->kind == VS_DIFFERENCE) b->box = child.box;
+    else vs_bounds_meet(&b->box, &child.box);
+    if (i == 0 || child.ball.radius < b->ball.radius) b->ball = child.ball;
+  }
+  return true;
+}
+
+/* Sets *b to the box of node n, which is no placement. children: box of all its children together. Returns false on
+ * failure. */
+static bool bounds_of_other(const vs_node *n, vs_bounds children, vs_bounds *b, vs_error *e) {
+  vs_affine placed = vs_affine_identity();
   bool leaf;
   *b = vs_bounds_empty();
-  if (n->kind == VS_TRANSFORM) { /* A placed primitive has a formula. Only a few nested placements are followed, because
-                                  * a long sequence would take quadratic time. */
-    const vs_node *below = n;
-    for (int steps = 0; steps < 16 && (below->kind == VS_TRANSFORM || vs_node_is_wrapper(below)); steps++) {
-      if (below->kind == VS_TRANSFORM) placed = vs_affine_multiply(&placed, &VS_AS(transform, below)->matrix);
-      below = below->children[0].node;
-    }
-    bool swept = bounds_is_swept(below), done = false;
-    if (bounds_is_set(below) && !(below->flags & VS_NODE_ENDLESS) && !bounds_is_axial(&placed) &&
-        !bounds_turned(m, below, &placed, b, &done, e))
-      return false;
-    if (done) return true;
-    *b = vs_bounds_empty();
-    if (!swept && !bounds_leaf(below, &placed, &children, b, &leaf, e)) return false;
-    if (swept || !leaf) *b = vs_bounds_transform(&children, &VS_AS(transform, n)->matrix);
-    return true;
-  }
   if (!bounds_leaf(n, &placed, &children, b, &leaf, e)) return false;
   if (leaf) return true;
   *b = children;
@@ -462,16 +488,25 @@ static bool bounds_of(vs_bounds_memo *m, const vs_node *n, vs_bounds children, v
     *b = vs_bounds_empty();
     for (int i = 0; i < 8; i++) vs_bounds_add(b, corner[i]);
   }
-  if (n->kind == VS_DIFFERENCE && n->child_count) return bounds_child(m, n->children[0].node, b, e);
-  for (uint32_t i = 0; n->kind == VS_INTERSECTION && i < n->child_count; i++) {
-    if (!bounds_child(m, n->children[i].node, &child, e)) return false;
-    vs_bounds_meet(b, &child);
-  }
   return true;
 }
 
-typedef struct { vs_ref ref; uint32_t next; vs_bounds children; /* children: bounds of the first `next` children of ref
-                                                                 * together */ } vs_bounds_step;
+/* Sets *b to the bounds of node n, whose children's bounds are known. children: bounds of all its children together.
+ * Returns false on failure. */
+static bool bounds_of(vs_bounds_memo *m, const vs_node *n, const vs_reach *children, vs_reach *b, vs_error *e) {
+  b->box = vs_bounds_empty();
+  b->ball = children->ball;
+  if (n->kind == VS_TRANSFORM ? !bounds_of_placement(m, n, children, b, e)
+                              : !bounds_of_other(n, children->box, &b->box, e) || !bounds_of_operands(m, n, b, e))
+    return false;
+  vs_ball around = vs_ball_of_box(&b->box);
+  bool inside = n->kind == VS_TRANSFORM || vs_node_is_set(n) || vs_node_is_wrapper(n); /* in the ball of its children */
+  if (!inside || around.radius < b->ball.radius) b->ball = around;
+  return true;
+}
+
+/* children: bounds of the first `next` children of ref together */
+typedef struct { vs_ref ref; uint32_t next; vs_reach children; } vs_bounds_step;
 
 enum { CHILD_WORK = 64 }; /* work for the bounds of a child, in the units of vs_store_going */
 
@@ -479,25 +514,26 @@ bool vs_bounds_memo_get(vs_bounds_memo *m, const vs_node *n, vs_bounds *out, vs_
   vs_store *s = m->places.store;
   if (n->child_count == 0 && bounds_plain(n, out)) return true; /* the formula of a common primitive is faster than a
                                                                  * search in the memo, so it is tried first */
-  const vs_bounds *known = bounds_memo_known(m, n);
+  const vs_reach *known = bounds_memo_known(m, n);
   if (known) {
-    *out = *known;
+    *out = known->box;
     return true;
   }
+  const vs_reach none = { vs_bounds_empty(), vs_ball_empty() };
   size_t depth = 1, room = 16;
   vs_bounds_step *steps = vs_store_realloc(s, NULL, 0, room * sizeof *steps);
   if (!steps) return vs_error_memory(e, NULL);
-  steps[0] = (vs_bounds_step){ { (vs_node *)(uintptr_t)n, NULL }, 0, vs_bounds_empty() };
+  steps[0] = (vs_bounds_step){ { (vs_node *)(uintptr_t)n, NULL }, 0, none };
   bool ok = true;
   while (ok && depth) {
     vs_bounds_step *top = &steps[depth - 1];
     const vs_node *at = top->ref.node;
-    vs_bounds b;
+    vs_reach b;
     for (; ok && top->next < at->child_count; top->next++) {
       const vs_node *child = vs_node_next_whole(at, top->next)->node;
       if (!bounds_is_lone_leaf(child) && !bounds_memo_known(m, child)) break;
       ok = bounds_child(m, child, &b, e);
-      if (ok) vs_bounds_unite(&top->children, &b);
+      if (ok) vs_bounds_unite(&top->children.box, &b.box), vs_ball_unite(&top->children.ball, &b.ball);
       else if (e && !e->origin) e->origin = top->ref.origin;
       ok = ok && vs_store_going(s, CHILD_WORK, e);
     }
@@ -511,13 +547,13 @@ bool vs_bounds_memo_get(vs_bounds_memo *m, const vs_node *n, vs_bounds *out, vs_
         steps = grown;
         room *= 2;
       }
-      steps[depth++] = (vs_bounds_step){ below, 0, vs_bounds_empty() };
+      steps[depth++] = (vs_bounds_step){ below, 0, none };
       continue;
     }
-    ok = bounds_of(m, at, top->children, &b, e);
+    ok = bounds_of(m, at, &top->children, &b, e);
     if (!ok && e && !e->origin) e->origin = top->ref.origin;
     ok = ok && (bounds_memo_put(m, at, &b) || vs_error_memory(e, NULL));
-    if (ok && at == n) *out = b;
+    if (ok && at == n) *out = b.box;
     depth--;
   }
   vs_store_realloc(s, steps, room * sizeof *steps, 0);

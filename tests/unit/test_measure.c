@@ -194,10 +194,57 @@ static void curves_and_regions(void **state) {
   vs_store_release(s);
 }
 
+/* Returns a random map that keeps angles: a rotation about a random axis through a random point; mirrored at times, and
+ * a little larger or smaller. */
+static vs_affine random_similarity(uint64_t *seed) {
+  vs_vec3 axis = vs_v3(drawn(seed) - .5, drawn(seed) - .5, drawn(seed) - .5), at = vs_v3(drawn(seed), drawn(seed), drawn(seed));
+  double grow = .98 + .04 * drawn(seed), side = drawn(seed) < .3 ? -grow : grow;
+  vs_affine turn = vs_affine_rotation(at, axis, 6.3 * drawn(seed)), size = vs_affine_scaling(vs_v3(0, 0, 0), vs_v3(side, grow, grow));
+  return vs_affine_multiply(&turn, &size);
+}
+
+/* Deep sets, each placed by a map that turns: the bounds contain every corner, and are at most thrice as large as the
+ * solid. A box of a box at each level would be 10^40 times as large. */
+static void deep_turned_sets(void **state) {
+  (void)state;
+  enum { DEEP = 300, CORNERS = 8 * DEEP };
+  static vs_vec3 corner[CORNERS];
+  const vs_kind kinds[] = { VS_UNION, VS_DIFFERENCE, VS_INTERSECTION, VS_LAYER };
+  for (uint64_t trial = 1; trial <= 40; trial++) {
+    vs_store *s = vs_store_new(NULL, NULL);
+    uint64_t seed = trial * 0x9E3779B97F4A7C15u;
+    vs_node *n = NODE(box, BOX, { -1, -2, -3 }, { 1, 2, 3 });
+    size_t count = 0;
+    for (int i = 0; i < 8; i++) corner[count++] = vs_v3(i & 1 ? 1 : -1, i & 2 ? 2 : -2, i & 4 ? 3 : -3);
+    for (int level = 1; level < DEEP; level++) {
+      vs_affine map = random_similarity(&seed);
+      n = placed(s, map, n);
+      for (size_t i = 0; i < count; i++) corner[i] = vs_affine_point(&map, corner[i]);
+      vs_vec3 p = vs_v3(9 * drawn(&seed), 9 * drawn(&seed), 9 * drawn(&seed)), q = vs_v3_add(p, vs_v3(1, 1, 1));
+      vs_kind kind = kinds[level % 4];
+      if (kind == VS_LAYER) continue;
+      n = over(s, kind, NULL, n, kind == VS_INTERSECTION ? NODE(sphere, SPHERE, { 0, 0, 0 }, 1e9, 0) : NODE(box, BOX, p, q));
+      for (int i = 0; kind == VS_UNION && i < 8; i++) corner[count++] = vs_v3(i & 1 ? p.x : q.x, i & 2 ? p.y : q.y, i & 4 ? p.z : q.z);
+    }
+    vs_bounds b, right = vs_bounds_empty();
+    vs_error e = { 0 };
+    if (!vs_node_bounds(n, &b, &e)) fail_msg("%s", e.message);
+    for (size_t i = 0; i < count; i++) vs_bounds_add(&right, corner[i]);
+    double size = vs_bounds_diagonal(&right), slack = 1e-9 * size;
+    vs_bounds both = b;
+    vs_bounds_unite(&both, &right);
+    if (vs_bounds_diagonal(&both) > vs_bounds_diagonal(&b) + slack) fail_msg("trial %d: a corner lies outside the bounds", (int)trial);
+    if (vs_bounds_diagonal(&b) > 3 * size) fail_msg("trial %d: bounds of %g for a solid of %g", (int)trial, vs_bounds_diagonal(&b), size);
+    vs_node_release(n);
+    vs_store_release(s);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(solids_agree), cmocka_unit_test(placed_primitives_have_exact_bounds), cmocka_unit_test(sets),
     cmocka_unit_test(deep_and_wide_trees), cmocka_unit_test(curves_and_regions),
+    cmocka_unit_test(deep_turned_sets),
   };
   return cmocka_run_group_tests_name("geometry bounds, inside, measures", tests, NULL, NULL);
 }
