@@ -2,7 +2,9 @@
  *
  * Two parts are flush if a facet of each lies in the same plane. The pass meshes every part at a coarse fixed tolerance
  * and stores each plane once, as four whole numbers. Equal numbers mean the same plane. This also finds round walls
- * that coincide, because equal round parts have equal facets. Parts whose boxes do not intersect are skipped.
+ * that coincide, because equal round parts have equal facets. Subtrees, parts and facets whose boxes do not meet the
+ * box of another operand are skipped: the loop `(subtract (unite o a) b)` makes thousands of nested sets, and each
+ * difference visits its neighbourhood.
  *
  * Flush parts are enlarged, each part of an operand separately, in its own coordinates, so that all faces move
  * outwards. In a difference only cutters are enlarged, so the faces of the result do not move. These are cutters that
@@ -10,7 +12,7 @@
  * two flush operands, one of them is enlarged. Solids with an axis are enlarged as their own kind, others about their
  * centre. In the second case, walls of a notched shape that face the centre move by slightly less.
  *
- * Cost: the facets of each distinct difference, once, and a sort. */
+ * Cost: a test of boxes for each level of nesting, the facets near each distinct difference, and a sort. */
 #include "passes/flush.h"
 
 #include <math.h>
@@ -24,17 +26,23 @@
 #include "passes/rewrite.h"
 #include "model/store/array.h"
 
-enum { FACET_WORK = 64 }; /* work for a facet of a part, in the units of vs_store_going */
-enum { PARTS_MOST = 4000, PAIRS_MOST = 1000000 }; /* PARTS_MOST, PAIRS_MOST: greatest number of parts of one set, and of
-                                                   * pairs of parts, that are compared. In a set that exceeds them,
-                                                   * every part counts as flush (having a face in a plane with another
-                                                   * part's face). */
+enum { FACET_WORK = 64, VISIT_WORK = 64 }; /* work for a facet of a part, and for a visit to a node, in the units of
+                                            * vs_store_going */
+/* Greatest numbers: of parts of one set, of pairs of its planes that are compared, and of nodes that the whole pass
+ * visits. In a set that exceeds them, every part counts as flush: as if it had a face in a plane with another part. */
+enum { PARTS_MOST = 4000, PAIRS_MOST = 1000000, VISITS_MOST = 1 << 23 };
+enum { NEAR_MOST = 16 }; /* greatest number of boxes that represent the other operands of a set */
+/* enlarges a box, as a part of its diagonal, because bounds of curved shapes are computed from sample points */
+#define FLUSH_SLACK 2e-3
 
 /* key: plane of a face as four whole numbers; turned: 1 if the face's normal is opposite to the key's normal; operand,
  * part: numbers of the operand and the part that have this face */
 typedef struct { int64_t key[4]; uint32_t turned, operand, part; } face_plane;
 typedef struct { const vs_node *node; vs_affine placed; } place; /* a node inside a set, and its placement in the set's
                                                                   * coordinates */
+
+/* The memory of the pass from set to set. The rewritten nodes live as long as the pass. */
+typedef struct { vs_bounds_memo memo; size_t visits; } flush_pass;
 
 typedef struct {
   face_plane *planes;
@@ -46,6 +54,10 @@ typedef struct {
   double step;      /* step to which a plane's distance from the origin is rounded, so that equal planes have equal
                      * keys */
   vs_vec3 middle;
+  vs_bounds near[NEAR_MOST]; /* boxes that contain the other operands of the set, while the parts of one are added */
+  size_t near_count;
+  bool too_many;    /* true if a limit is exceeded */
+  flush_pass *pass;
   vs_error *error;  /* error of the pass, set if the run is interrupted */
 } flush;
 
@@ -89,7 +101,33 @@ static bool add_plane(flush *f, vs_vec3 normal, vs_vec3 at, uint32_t operand) {
  * cannot be meshed; the pass skips this part, and the mesher reports the error later. */
 static bool starved(const vs_error *e) { return e->kind != VS_ERROR_NONE && e->kind != VS_ERROR_MODEL; }
 
-/* Adds each plane of the faces of part n once. Adds no plane if the part cannot be meshed here. */
+/* Sets *out to the bounds of node n. A node without bounds counts as unbounded. Returns false if the pass must fail. */
+static bool flush_bounds(flush_pass *pass, const vs_node *n, vs_bounds *out) {
+  vs_error ignored = { 0 };
+  if (!(n->flags & VS_NODE_ENDLESS) && vs_bounds_memo_get(&pass->memo, n, out, &ignored)) return true;
+  *out = (vs_bounds){ vs_v3(-INFINITY, -INFINITY, -INFINITY), vs_v3(INFINITY, INFINITY, INFINITY) };
+  return !starved(&ignored);
+}
+
+/* Returns true if box b, enlarged by slack, meets another operand. */
+static bool is_near(const flush *f, const vs_bounds *b, double slack) {
+  bool near = false;
+  for (size_t i = 0; !near && i < f->near_count; i++) near = vs_bounds_overlap(b, &f->near[i], slack);
+  return near;
+}
+
+/* Sets *near to true if the bounds of a placed node meet another operand. Returns false if the pass must fail. */
+static bool place_is_near(flush *f, const place *at, bool *near) {
+  vs_bounds b;
+  if (!flush_bounds(f->pass, at->node, &b)) return false;
+  *near = !vs_bounds_is_empty(&b);
+  if (!*near || !isfinite(vs_bounds_diagonal(&b))) return true;
+  b = vs_bounds_transform(&b, &at->placed);
+  *near = is_near(f, &b, f->step + FLUSH_SLACK * vs_bounds_diagonal(&b));
+  return true;
+}
+
+/* Adds each plane of those faces of part n once that are near. Adds no plane if the part cannot be meshed here. */
 static bool add_part(flush *f, const vs_node *n, const vs_affine *placed, uint32_t operand) {
   static const vs_fineness coarse = { 1e300, 32 };
   vs_mesh mesh = { 0 };
@@ -118,10 +156,13 @@ static bool add_part(flush *f, const vs_node *n, const vs_affine *placed, uint32
     mesh.vertices[i] = vs_affine_point(placed, mesh.vertices[i]);
     vs_bounds_add(box, mesh.vertices[i]);
   }
+  double slack = f->step + FLUSH_SLACK * vs_bounds_diagonal(box);
   for (size_t i = 0; ok && i < mesh.triangle_count; i++) {
     vs_vec3 a = mesh.vertices[mesh.triangles[i][0]], b = mesh.vertices[mesh.triangles[i][1]],
             c = mesh.vertices[mesh.triangles[i][2]];
-    ok = add_plane(f, vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a)), a, operand);
+    vs_bounds facet = { a, a };
+    vs_bounds_add(&facet, b), vs_bounds_add(&facet, c);
+    if (is_near(f, &facet, slack)) ok = add_plane(f, vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a)), a, operand);
   }
   ok = ok && vs_store_going(n->store, FACET_WORK * ((uint32_t)mesh.triangle_count + 1), f->error);
   vs_mesh_free(&mesh);
@@ -135,25 +176,47 @@ static bool add_part(flush *f, const vs_node *n, const vs_affine *placed, uint32
   return ok;
 }
 
-/* Adds the planes of all parts of an operand, including those inside its sets. Sets *too_many if a limit is reached. */
-static bool add_operand(flush *f, const vs_node *operand, uint32_t number, bool *too_many) {
+/* Adds the planes of all parts of an operand that are near, including those inside its sets. Sets too_many if a limit
+ * is exceeded. */
+static bool add_operand(flush *f, const vs_node *operand, uint32_t number) {
   f->todo_count = 0;
   if (!VS_GROW(f->todo, f->todo_room, 1)) return false;
   f->todo[f->todo_count++] = (place){ operand, vs_affine_identity() };
-  while (f->todo_count > 0 && !*too_many) {
+  while (f->todo_count > 0 && !f->too_many) {
     place at = f->todo[--f->todo_count];
     const vs_node *n = at.node;
-    bool set = vs_node_is_set(n);
-    if (!set && n->kind != VS_TRANSFORM && !vs_node_is_wrapper(n)) {
-      if (!add_part(f, n, &at.placed, number)) return false;
-      *too_many = f->part_count >= PARTS_MOST;
-      continue;
-    }
+    bool inner = vs_node_is_set(n) || n->kind == VS_TRANSFORM || vs_node_is_wrapper(n), near;
+    f->pass->visits++;
+    if (!vs_store_going(n->store, VISIT_WORK, f->error) || !place_is_near(f, &at, &near)) return false;
+    if (near && !inner && !add_part(f, n, &at.placed, number)) return false;
+    f->too_many = f->part_count >= PARTS_MOST || f->pass->visits >= VISITS_MOST;
+    if (!near || !inner) continue;
     if (n->kind == VS_TRANSFORM) at.placed = vs_affine_multiply(&at.placed, &VS_AS(transform, n)->matrix);
     if (!VS_GROW(f->todo, f->todo_room, f->todo_count + n->child_count)) return false;
     for (uint32_t i = 0; i < n->child_count; i++) f->todo[f->todo_count++] = (place){ n->children[i].node, at.placed };
   }
   return true;
+}
+
+/* Adds the planes of all operands. boxes[i]: bounds of operand i; after[i]: bounds of all operands after it. The first
+ * operand may be large, and has a box of its own. */
+static bool add_operands(flush *f, const vs_ref *operands, size_t count, const vs_bounds *boxes,
+                         const vs_bounds *after) {
+  size_t each = (count - 1 + NEAR_MOST - 1) / NEAR_MOST;
+  f->near_count = (count - 1 + each - 1) / each;
+  VS_ASSERT(count > 1 && f->near_count <= NEAR_MOST);
+  for (size_t i = 0; i < f->near_count; i++) f->near[i] = vs_bounds_empty();
+  for (size_t i = 1; i < count; i++) vs_bounds_unite(&f->near[(i - 1) / each], &boxes[i]);
+  bool ok = add_operand(f, operands[0].node, 0);
+  f->near[0] = boxes[0];
+  f->near[1] = vs_bounds_empty(); /* the operands between the first and number i */
+  f->near_count = 3;
+  for (size_t i = 1; ok && !f->too_many && i < count; i++) {
+    f->near[2] = after[i];
+    ok = add_operand(f, operands[i].node, (uint32_t)i);
+    vs_bounds_unite(&f->near[1], &boxes[i]);
+  }
+  return ok;
 }
 
 /* Marks the operands that share a plane with an earlier operand. In a difference, the earlier operand must be the
@@ -263,24 +326,49 @@ static vs_node *grown(vs_ref operand, double by) {
 
 /* ---- the pass ---- */
 
+/* Sets boxes[i] to the bounds of kid i of the set n, after[i] to those of all later kids, and *reach to those of the
+ * set. Returns false if the pass must fail. */
+static bool kid_boxes(flush_pass *pass, const vs_node *n, const vs_ref *kids, vs_bounds *boxes, vs_bounds *after,
+                      vs_bounds *reach) {
+  for (size_t i = 0; i < n->child_count; i++)
+    if (!flush_bounds(pass, kids[i].node, &boxes[i])) return false;
+  *reach = boxes[0];
+  for (size_t i = 1; n->kind == VS_INTERSECTION && i < n->child_count; i++) vs_bounds_meet(reach, &boxes[i]);
+  after[n->child_count - 1] = vs_bounds_empty();
+  for (size_t i = n->child_count - 1; i-- > 0;) {
+    after[i] = after[i + 1];
+    vs_bounds_unite(&after[i], &boxes[i + 1]);
+  }
+  return true;
+}
+
+/* Sets marked[i] to 1 for each kid of the set n that must be enlarged, and *diagonal to the set's size. Returns false
+ * if the pass must fail. */
+static bool mark_kids(vs_rewrite *w, const vs_node *n, const vs_ref *kids, unsigned char *marked, double *diagonal) {
+  vs_bounds reach, *boxes = vs_fresh(n->child_count, sizeof *boxes), *after = vs_fresh(n->child_count, sizeof *after);
+  bool ok = boxes && after && kid_boxes(w->state, n, kids, boxes, after, &reach);
+  *diagonal = ok ? vs_bounds_diagonal(&reach) : 0;
+  if (*diagonal > 0 && isfinite(*diagonal)) {
+    flush f = { .pass = w->state, .error = w->error, .step = 1e-7 * *diagonal,
+                .middle = vs_v3_scale(vs_v3_add(reach.min, reach.max), 0.5) };
+    ok = add_operands(&f, kids, n->child_count, boxes, after);
+    if (ok && f.too_many) memset(marked + 1, 1, n->child_count - 1);
+    else if (ok) mark(&f, n->kind == VS_DIFFERENCE, marked, n->child_count);
+    flush_free(&f);
+  }
+  free(boxes);
+  free(after);
+  return ok;
+}
+
 static vs_node *part_flush(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
   (void)origin;
   if ((n->kind != VS_DIFFERENCE && n->kind != VS_INTERSECTION) || n->class_ != VS_SOLID || n->child_count < 2)
     return vs_rewrite_keep(w, n, kids);
-  vs_bounds reach;
-  vs_error ignored = { 0 };
-  double diagonal =
-      vs_node_bounds(n->kind == VS_DIFFERENCE ? kids[0].node : n, &reach, &ignored) ? vs_bounds_diagonal(&reach) : 0;
-  if (starved(&ignored)) return NULL;
-  if (!(diagonal > 0) || !isfinite(diagonal)) return vs_rewrite_keep(w, n, kids);
-  flush f = { .error = w->error, .step = 1e-7 * diagonal, .middle = vs_v3_scale(vs_v3_add(reach.min, reach.max), 0.5) };
   unsigned char *marked = vs_zeros(n->child_count, 1);
   vs_ref *now = vs_fresh(n->child_count, sizeof *now);
-  bool ok = marked && now, too_many = false, any = false;
-  for (uint32_t i = 0; ok && i < n->child_count; i++) ok = add_operand(&f, kids[i].node, i, &too_many);
-  if (ok && too_many) memset(marked + 1, 1, n->child_count - 1);
-  else if (ok) mark(&f, n->kind == VS_DIFFERENCE, marked, n->child_count);
-  flush_free(&f);
+  double diagonal;
+  bool ok = marked && now && mark_kids(w, n, kids, marked, &diagonal), any = false;
   uint32_t made = 0;
   for (; ok && made < n->child_count; made++) {
     now[made] = kids[made];
@@ -304,6 +392,9 @@ static vs_node *part_flush(vs_rewrite *w, const vs_node *n, const vs_ref *kids, 
 
 bool vs_scene_part_flush(vs_scene *scene, vs_error *e) {
   if (scene->drawn_count == 0) return true;
-  vs_rewrite w = { .store = scene->store, .error = e };
-  return vs_rewrite_alone(&w, part_flush, scene->drawn, scene->drawn_count);
+  flush_pass pass = { .memo = { .places = { .store = scene->store } } };
+  vs_rewrite w = { .store = scene->store, .error = e, .state = &pass };
+  bool ok = vs_rewrite_alone(&w, part_flush, scene->drawn, scene->drawn_count);
+  vs_bounds_memo_free(&pass.memo);
+  return ok;
 }

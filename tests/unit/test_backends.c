@@ -298,6 +298,40 @@ static void test_povray_skins(void **state) {
   test_model_close(&m);
 }
 
+/* Thousands of differences and unions inside each other, as a loop makes them: each cutter is compared with its
+ * neighbours, however deep they lie. The first cutter of each pair ends flush with a block and is enlarged; the second
+ * ends inside it and stays. */
+static void test_povray_nested_skins(void **state) {
+  (void)state;
+  enum { PAIRS = 1000 };
+  test_model m;
+  test_model_open(&m);
+  vs_ref all = test_box(&m, 0, 0, 0, 2, 2, 2);
+  for (int i = 1; i < PAIRS; i++) {
+    int x = 5 * i;
+    vs_ref block[2] = { all, test_box(&m, x, 0, 0, x + 2, 2, 2) };
+    all = test_node(&m, 1, VS_UNION, &(struct vs_union){ 0 }, block, 2);
+    vs_ref flush[2] = { all, test_box(&m, x, .5, .5, x + 1, 1, 1) };
+    all = test_node(&m, 1, VS_DIFFERENCE, &(struct vs_difference){ 0 }, flush, 2);
+    vs_ref far[2] = { test_node(&m, 1, VS_UNION, &(struct vs_union){ 0 }, (vs_ref[2]){ all, test_box(&m, x, 8, 0, x + 2, 9, 2) }, 2),
+                      test_box(&m, x + .5, 8.25, .5, x + 1.5, 8.75, 1.5) };
+    all = test_node(&m, 1, VS_DIFFERENCE, &(struct vs_difference){ 0 }, far, 2);
+  }
+  test_draw(&m, all);
+  vs_error e = { VS_ERROR_NONE, NULL, "" };
+  assert_true(vs_scene_part_flush(&m.scene, &e));
+  char *text = written(&m, "pov");
+  for (int i = 1; i < PAIRS; i += 97) {
+    char stays[99], grows[99];
+    snprintf(stays, sizeof stays, "box { <%g, 8.25, 0.5>, <%g, 8.75, 1.5> }", 5 * i + .5, 5 * i + 1.5);
+    snprintf(grows, sizeof grows, "box { <%d, 0.5, 0.5>, <%d, 1, 1> }", 5 * i, 5 * i + 1);
+    assert_holds(text, stays);
+    if (strstr(text, grows)) fail_msg("not enlarged: %s", grows);
+  }
+  free(text);
+  test_model_close(&m);
+}
+
 /* ---- solids that POV-Ray receives as triangles ---- */
 
 static memory scene_text;
@@ -958,7 +992,7 @@ static void test_tells_what_is_left_out(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_tells_what_is_left_out), cmocka_unit_test(test_numbers), cmocka_unit_test(test_numbers_locale), cmocka_unit_test(test_tree_reads_back), cmocka_unit_test(test_tree_golden),
-    cmocka_unit_test(test_tree_refuses), cmocka_unit_test(test_deflate), cmocka_unit_test(test_povray_plan), cmocka_unit_test(test_povray_tiles), cmocka_unit_test(test_povray_words), cmocka_unit_test(test_povray_skins), cmocka_unit_test(test_povray_solids), cmocka_unit_test(test_povray_solids_left), cmocka_unit_test(test_openscad_words), cmocka_unit_test(test_x3d_words), cmocka_unit_test(test_stl_words),
+    cmocka_unit_test(test_tree_refuses), cmocka_unit_test(test_deflate), cmocka_unit_test(test_povray_plan), cmocka_unit_test(test_povray_tiles), cmocka_unit_test(test_povray_words), cmocka_unit_test(test_povray_skins), cmocka_unit_test(test_povray_nested_skins), cmocka_unit_test(test_povray_solids), cmocka_unit_test(test_povray_solids_left), cmocka_unit_test(test_openscad_words), cmocka_unit_test(test_x3d_words), cmocka_unit_test(test_stl_words),
     cmocka_unit_test(test_left_out), cmocka_unit_test(test_templates), cmocka_unit_test(test_singular), cmocka_unit_test(test_deep),
     cmocka_unit_test(test_no_memory), cmocka_unit_test(test_files), cmocka_unit_test(test_formats), cmocka_unit_test(test_povray_missing),
     cmocka_unit_test(test_povray_complains), cmocka_unit_test(test_povray_stops), cmocka_unit_test(test_povray_picture),
