@@ -68,7 +68,7 @@ bool vs_passes_run(vs_store *s, vs_ref *refs, size_t count, const vs_pass_option
     vs_node_retain(work[i].node);
   }
   vs_order order = { .store = s };
-  bool ok = vs_order_make(&order, work, count, e);
+  bool ok = vs_store_going(s, UINT32_MAX, e) && vs_order_make(&order, work, count, e);
   if (ok && stats) stats->commands_before = order_commands(&order, count);
   bool nests = false;
   for (int k = 0; ok && k < VS_PASS_COUNT; k++) {
@@ -87,6 +87,7 @@ bool vs_passes_run(vs_store *s, vs_ref *refs, size_t count, const vs_pass_option
   if (ok && stats) stats->commands_after = order_commands(&order, count);
   vs_order_free(&order);
   for (size_t i = 0; i < count; i++) {
+    ok = ok && vs_store_going(s, VS_ORDER_WORK, e); /* an interrupt leaves some refs as they were */
     vs_ref drop = ok ? refs[i] : work[i];
     if (ok) refs[i] = work[i];
     vs_node_release(drop.node);

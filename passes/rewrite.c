@@ -52,13 +52,16 @@ bool vs_rewrite_run(vs_rewrite *w, vs_rewrite_fn *fn, vs_ref *refs, size_t count
   while (ok && done < nodes &&
          (ok = vs_store_going(w->store, VS_NODE_WORK, w->error) && rewrite_node(w, fn, done, results, kids)))
     done++;
-  for (size_t i = 0; ok && i < count; i++) {
+  for (size_t i = 0; ok && i < count && (ok = vs_store_going(w->store, VS_ORDER_WORK, w->error)); i++) {
     vs_ref new = rewritten_ref(w, results, refs[i]);
     kids[0] = refs[i];
     refs[i] = (vs_ref){ vs_node_retain(new.node), new.origin };
     vs_node_release(kids[0].node);
   }
-  for (size_t i = 0; i < done; i++) vs_node_release(results[i].node);
+  for (size_t i = 0; i < done; i++) {
+    ok = ok && vs_store_going(w->store, VS_ORDER_WORK, w->error);
+    vs_node_release(results[i].node);
+  }
   if (results) vs_store_realloc(w->store, results, (nodes + 1) * sizeof *results, 0);
   if (kids) vs_store_realloc(w->store, kids, widest * sizeof *kids, 0);
   return ok;

@@ -184,6 +184,7 @@ static bool show_nodes(writing *j, bool *beside, vs_value *objects) {
 
 /* Copies the drawing's references to the scene. First collects garbage: otherwise a node to which an unused value
  * refers would seem to be shared. Later stages replace the copied references. */
+enum { COLLECT_WORK = 128 }; /* work for an object that is collected, in the units of vs_store_going: a cache miss */
 static bool stage_collect(writing *j) {
   vs_session *s = j->session;
   bool beside = true, change = j->options && j->options->change;
@@ -199,15 +200,19 @@ static bool stage_collect(writing *j) {
   size_t n = change ? s->change_count : returned ? s->bind.returned_count : beside ? s->bind.scene.drawn_count : 0;
   scene->drawn = vs_store_realloc(s->bind.store, NULL, 0, (n + 1) * sizeof *scene->drawn);
   if (!scene->drawn) return vs_error_memory(&j->error, NULL);
-  scene->drawn_count = n, scene->drawn_room = n + 1;
-  for (size_t i = 0; i < n; i++)
+  scene->drawn_room = n + 1;
+  for (size_t i = 0; i < n; i++) {
+    if (!vs_store_going(s->bind.store, COLLECT_WORK, &j->error)) return false;
     scene->drawn[i] = returned ? (vs_ref){ s->bind.returned[i].node, s->bind.returned[i].origin } : drawn[i];
-  for (size_t i = 0; i < n; i++) vs_node_retain(scene->drawn[i].node);
+    vs_node_retain(scene->drawn[i].node);
+    scene->drawn_count = i + 1;
+  }
   for (; vs_is_pair(shown[0]); shown[0] = vs_cdr(shown[0]))
     if (!vs_scene_draw(scene, vs_bind_take_ref(vs_car(shown[0])))) return vs_error_memory(&j->error, NULL);
   for (size_t i = 0; change && vs_backend_has(j->format->backend, VS_PARTS_FLUSH) && i < n; i++)
     if (!vs_session_swell(s, i, &scene->drawn[i], &j->error)) return false;
   if (!j->record) return true;
+  if (!vs_store_going(s->bind.store, UINT32_MAX, &j->error)) return false;
   vs_tally_enter(&s->tally, VS_WORK_RUN);
   vs_gc_major(s->bind.vm);
   vs_tally_enter(&s->tally, VS_WORK_PASSES);
@@ -413,7 +418,7 @@ static bool go_through(writing *j, vs_stage last) {
   for (int k = 0; ok && k <= (int)last; k++) {
     if (!runs_for((vs_stage)k, j->format ? j->format->backend : &none)) continue;
     double before = worked(s);
-    ok = stages[k](j);
+    ok = vs_store_going(s->bind.store, UINT32_MAX, &j->error) && stages[k](j);
     if (j->record) j->record->stages[k] = worked(s) - before;
   }
   return ok;
