@@ -4,6 +4,7 @@ import { spawn } from "node:child_process";
 import { existsSync, mkdirSync, writeFileSync, readFileSync, readdirSync, symlinkSync, truncateSync } from "node:fs";
 import http from "node:http";
 import net from "node:net";
+import { patience } from "./patience.mjs";
 
 const [, , vs, folder] = process.argv, model = `${folder}/model.vs`, only = process.env.ONLY || "";
 const source = `; a comment with "quotes" and (brackets
@@ -187,7 +188,7 @@ try {
     const from = Date.now();
     await ask("/stop", { method: "POST" });
     const s = await until((x) => x.stopped, "the end of a loop");
-    check(Date.now() - from < 5000 && s.asked === "(let loop () (loop))", `it took ${Date.now() - from} ms`);
+    check(Date.now() - from < patience(5000) && s.asked === "(let loop () (loop))", `it took ${Date.now() - from} ms`);
     check(s.good, "what was typed has taken the model away");
     await ask("/prompt", { method: "POST", body: "'alive" });
     check((await until((x) => x.values !== "", "life after it")).values.trim() === "alive", "it does not live on");
@@ -337,7 +338,7 @@ try {
       a.on("data", (d) => { all += d; const state = /event: state\ndata: (.*)\n/.exec(all); if (state) a.destroy(), go(JSON.parse(state[1])); });
       a.on("error", () => {});
     }));
-    check(!answer.good && answer.messages.some((m) => /time|limit/i.test(m.message)) && Date.now() - from < 10000, `after ${Date.now() - from} ms: ${JSON.stringify(answer.messages)}`);
+    check(!answer.good && answer.messages.some((m) => /time|limit/i.test(m.message)) && Date.now() - from < patience(10000), `after ${Date.now() - from} ms: ${JSON.stringify(answer.messages)}`);
     held.kill();
   });
 

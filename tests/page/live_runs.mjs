@@ -2,6 +2,7 @@
 // all messages of a program. `live_runs.mjs VS FOLDER`.
 import { mkdirSync, writeFileSync } from "node:fs";
 import { session } from "./live_session.mjs";
+import { patience } from "./patience.mjs";
 
 const [, , vs, folder] = process.argv, model = `${folder}/model.vs`, part = `${folder}/part.vs`;
 const box = (size) => `(define-parameter size ${size} #:min 1 #:max 9)\n(draw (make-box origin (xyz 1 1 size)))\n`;
@@ -55,9 +56,9 @@ for (const [what, { text, part: loaded, typed }] of Object.entries(endless)) {
         await pause(700);
         await again();
       }
-      await shown((value) => window.live.state.good && window.live.state.parameters[0]?.value === value && window.live.stopButton.disabled, makes, 8000);
+      await shown((value) => window.live.state.good && window.live.state.parameters[0]?.value === value && window.live.stopButton.disabled, makes, patience(8000));
       const took = Date.now() - from;
-      want(took < (again ? 3500 : 2500), `it took ${took} ms`);
+      want(took < patience(again ? 3500 : 2500), `it took ${took} ms`);
       want(!(await state()).stopped, "the run that was overtaken is told of");
       // Back to the start: the default value, the file's text.
       await call("/set?name=size", "1.0");
@@ -77,7 +78,7 @@ await test("a slider that moves shows pictures on its way", async (want) => {
     await pause(25);
   }
   const seconds = (Date.now() - from) / 1000, pictures = (await page.evaluate(() => window.live.finished)) - before;
-  want(pictures > 2 * seconds, `${pictures} pictures in ${seconds} s`);
+  want(pictures > 2 * seconds / patience(1), `${pictures} pictures in ${seconds} s`);
   await shown(() => window.live.state.parameters[0]?.value === "5.95");
   await call("/set?name=size", "1.0");
   await after(() => writeFileSync(model, box("1.0")));
@@ -198,7 +199,7 @@ await test("a file that loads itself is told of at once", async (want) => {
   await after(() => writeFileSync(model, box("1.0") + '(load "model.vs")\n'));
   const s = await state();
   want(!s.good && /loads itself/.test(s.messages[0]?.message), JSON.stringify(s.messages));
-  want(Date.now() - from < 3000, `it took ${Date.now() - from} ms`);
+  want(Date.now() - from < patience(3000), `it took ${Date.now() - from} ms`);
   await after(() => writeFileSync(model, box("1.0")));
 });
 
