@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #include "bind/call/call.h"
 #include "bind/procedures.h"
@@ -154,6 +155,8 @@ static void hear(void *context, const vs_diagnostic *d) {
   snprintf(to, TEXT_MOST, "%s", d->message);
 }
 
+enum { SECONDS = 20 }; /* greatest processor time of a call; its elapsed time, which depends on other processes, may be
+                        * ten times as long */
 static vs_scheme *scheme;
 static said heard;
 static unsigned line;
@@ -164,7 +167,7 @@ static void fresh(void) {
   vs_options o = vs_options_default();
   o.host.context = &heard;
   o.host.diagnose = hear;
-  o.limit_time = 20;
+  o.limit_time = 10 * SECONDS;
   o.limit_memory = (size_t)2000 << 20;
   scheme = vs_new(&o);
   if (!scheme || vs_eval_text(scheme, "first", 1, first_definitions, strlen(first_definitions), 0) != VS_OUTCOME_DONE) {
@@ -177,8 +180,12 @@ static void fresh(void) {
  * because vs prints a warning only once for each place. */
 static vs_outcome evaluate(const char *text) {
   heard = (said){ .at = { NULL, 0, 0, 0, 0 } };
+  clock_t from = clock();
   vs_drawing_clear(scheme);
-  return vs_eval_text(scheme, "bad", ++line, text, strlen(text), 0);
+  vs_outcome outcome = vs_eval_text(scheme, "bad", ++line, text, strlen(text), 0);
+  if (clock() - from > SECONDS * CLOCKS_PER_SEC)
+    snprintf(heard.error, sizeof heard.error, "used more than %d seconds of the processor", SECONDS);
+  return outcome;
 }
 
 static void result(bool good, const char *name, const char *why) {
