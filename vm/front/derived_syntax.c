@@ -192,7 +192,7 @@ bool vs_form_syntax_error(vs_expansion *x, vs_value *form) {
 
 /* ---- cond-expand ---- */
 static const char *const features[] = { "r7rs",       "full-unicode", "ratios",       "exact-closed",
-                                        "ieee-float", "visualscheme", "syntax-rules", NULL };
+                                        "ieee-float", "fl-fast-fl+*", "visualscheme", "syntax-rules", NULL };
 
 static bool add_feature(vs_scheme *vm, vs_value *list, const char *name) {
   VS_ROOTS(vm, r, 1);

@@ -46,8 +46,7 @@ static vs_status is_void(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 
 static vs_status hash_of(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
-  bool moves;
-  return *out = vs_fix((int64_t)(vs_hash(vm, a[0], VS_TABLE_EQUAL, &moves) & 0xFFFFFFFF)), VS_OK;
+  return *out = vs_fix((int64_t)(vs_hash(vm, a[0], VS_TABLE_EQUAL, NULL) & 0xFFFFFFFF)), VS_OK;
 }
 
 /* ---- boxes ---- */

@@ -31,7 +31,8 @@ bool vs_library_find(vs_scheme *vm, vs_value name, vs_value *env) {
 bool vs_library_known(vs_scheme *vm, vs_value name, uint32_t from, vs_value env) {
   VS_ROOTS(vm, r, 3);
   r[2] = env;
-  if (!vs_strip(vm, name, &r[0]) || !vs_library_find(vm, r[0], &r[1])) return false;
+  if (!vs_strip(vm, name, &r[0]) || !vs_library_own_name(vm, r[0], &r[0]) || !vs_library_find(vm, r[0], &r[1]))
+    return false;
   if (r[1] != VS_FALSE) return true;
   vs_text t;
   vs_text_open(vm, &t, 0);
@@ -90,6 +91,7 @@ bool vs_library_import_set(vs_scheme *vm, vs_value set, vs_value env, vs_pos pos
     if (!vs_cons(vm, r[0], r[2], &r[2])) return false;
     r[0] = vs_car(vs_cdr(r[0]));
   }
+  if (!vs_library_own_name(vm, r[0], &r[0])) return false;
   r[7] = r[0];
   if (!vs_library_find(vm, r[0], &r[3])) return false;
   if (r[3] == VS_FALSE) { *missing = r[0]; return true; }

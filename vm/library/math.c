@@ -70,12 +70,6 @@ static vs_status tanh_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return (void)n, function(vm, a, tanh, 0, 0, out);
 }
 
-/* returns the cube root; one Newton step corrects the last digit of cbrt, which may be wrong (even for 27) */
-static double cube_root(double x) {
-  double c = cbrt(x);
-  return c == 0 || !isfinite(c) ? c : c - (c - x / (c * c)) / 3;
-}
-
 /* Sets *root to the exact cube root of an exact integer. Sets it to VS_FALSE if there is none, or if it is no fixnum
  * (48 bits). */
 static bool integer_cbrt(vs_scheme *vm, vs_value n, vs_value *root) {
@@ -108,7 +102,7 @@ static vs_status cbrt_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
     if (num != VS_FALSE && den != VS_FALSE) return ratio ? vs_number_ratio(vm, num, den, out) : (*out = num, VS_OK);
   }
   if (vs_is_dual(a[0])) return vs_dual_function(vm, cbrt, a[0], out);
-  return function(vm, a, cube_root, 0, 0, out);
+  return function(vm, a, vs_cube_root, 0, 0, out);
 }
 
 static vs_status arc(vs_scheme *vm, const vs_value *a, double (*f)(double), int64_t zero_at, vs_value *out) {

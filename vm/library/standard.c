@@ -7,6 +7,7 @@
 #include "vm/library/library.h"
 #include "vm/front/suggest.h"
 #include "vm/front/environment.h"
+#include "vm/machine/fail.h"
 #include "vm/values/heap.h"
 #include "vm/values/text.h"
 
@@ -14,10 +15,20 @@
 
 static const struct { const char *name, *exports; } libraries[] = {
 #define VS_LIBRARY(name, exports) {name, exports},
+#define VS_LIBRARY_ALIAS(second, number)
 #include "vm/library/libraries.def"
 #undef VS_LIBRARY
+#undef VS_LIBRARY_ALIAS
 };
 enum { LIBRARIES = sizeof libraries / sizeof *libraries };
+
+static const struct { const char *second; int number; } aliases[] = {
+#define VS_LIBRARY(name, exports)
+#define VS_LIBRARY_ALIAS(second, number) {second, number},
+#include "vm/library/libraries.def"
+#undef VS_LIBRARY
+#undef VS_LIBRARY_ALIAS
+};
 
 /* ---- names of libraries ---- */
 static bool starts(const char *s, const char *with) { return !strncmp(s, with, strlen(with)); }
@@ -58,15 +69,30 @@ static bool is_whole(vs_value name) {
          starts(s, "racket/") || starts(s, "mzlib/");
 }
 
+bool vs_library_own_name(vs_scheme *vm, vs_value name, vs_value *out) {
+  *out = name;
+  if (vs_list_length(name) != 2 || !vs_is_symbol(vs_car(name)) || !vs_is_symbol(vs_car(vs_cdr(name)))) return true;
+  if (strcmp(vs_as_symbol(vs_car(name))->name, "scheme") != 0) return true;
+  const char *second = vs_as_symbol(vs_car(vs_cdr(name)))->name;
+  for (size_t i = 0; i < sizeof aliases / sizeof *aliases; i++) {
+    if (strcmp(second, aliases[i].second) != 0) continue;
+    VS_ROOTS(vm, r, 2);
+    return vs_intern_c(vm, "srfi", &r[0]) && vs_cons(vm, vs_fix(aliases[i].number), VS_NIL, &r[1]) &&
+           vs_cons(vm, r[0], r[1], out);
+  }
+  return true;
+}
+
 /* Returns the next word of the list of exports at *s, and sets *length. At the end of the list, *length is 0. *inside:
  * the name that the word has inside the library. */
 static const char *next_word(const char **s, size_t *length, const char **inside, size_t *inside_length) {
   const char *word = *s + strspn(*s, " "), *end = word + strcspn(word, " "),
-             *equals = memchr(word, '=', (size_t)(end - word));
+             *equals = word;
   *s = end;
   *length = *inside_length = (size_t)(end - word);
   *inside = word;
-  if (equals && equals > word && equals[1] == '%') {
+  while (equals < end && !starts(equals, "=%")) equals++;       /* the name itself may contain =, as fx<=? does */
+  if (equals > word && equals < end) {
     *length = (size_t)(equals - word);
     *inside = equals + 1;
     *inside_length = (size_t)(end - *inside);
@@ -170,6 +196,7 @@ bool vs_library_advice(vs_scheme *vm, vs_value symbol, bool syntax, vs_text *t) 
   const vs_symbol *name = vs_as_symbol(symbol);
   for (int i = 0; !syntax && i < LIBRARIES; i++) {
     const char *exports = libraries[i].exports, *inside, *word;
+    if (strstr(libraries[i].name, " core")) continue;  /* only shipped libraries import these */
     for (size_t n, m; word = next_word(&exports, &n, &inside, &m), n;)
       if (n == name->length && !memcmp(word, name->name, n))
         return vs_text_puts(t, "; (import (") && vs_text_puts(t, libraries[i].name) &&

@@ -373,3 +373,8 @@ bool vs_number_sqrt(vs_scheme *vm, vs_value a, vs_value *out) {
   *out = vs_flonum(sqrt(d));
   return true;
 }
+
+double vs_cube_root(double x) {
+  double c = cbrt(x);
+  return c == 0 || !isfinite(c) ? c : c - (c - x / (c * c)) / 3;
+}

@@ -55,4 +55,8 @@ uint64_t vs_number_hash(vs_value v);                                  /* returns
 /* ---- numbers as texts ---- */
 enum { VS_DOUBLE_TEXT = 32 };
 
+/* Returns the cube root of x. A step of Newton's method corrects the last digit of cbrt, which may be wrong (even for
+ * 27). */
+double vs_cube_root(double x);
+
 #endif

@@ -156,7 +156,7 @@ static uint64_t string_hash(const vs_string *s) {
 }
 
 /* Returns the hash of v alone, without the elements of a pair or vector. deep: as equal? compares, not by address. Sets
- * *moves to true if the hash depends on the address of a young object. */
+ * *moves to true if the hash depends on the address of a young object. If moves is NULL, uses no address. */
 static uint64_t hash_atom(vs_scheme *vm, vs_value v, bool deep, bool *moves) {
   if (!vs_is_object(v)) return mix(1, v);
   const vs_object *o = vs_object_of(v);
@@ -183,13 +183,14 @@ static uint64_t hash_atom(vs_scheme *vm, vs_value v, bool deep, bool *moves) {
       if (f->type->equal) return 13;
     }
   }
+  if (!moves) return mix(3, o->type);
   if (vs_gc_is_young(vm, o)) *moves = true;
   return mix(3, v);
 }
 
 uint64_t vs_hash(vs_scheme *vm, vs_value v, uint32_t kind, bool *moves) {
   VS_ASSERT(kind <= VS_TABLE_STRING);
-  *moves = false;
+  if (moves) *moves = false;
   bool deep = kind == VS_TABLE_EQUAL || kind == VS_TABLE_STRING;
   if (!deep || !vs_is_object(v) || (!vs_is_pair(v) && !vs_is_vector(v))) return hash_atom(vm, v, deep, moves);
   /* Only the first nodes of a structure are hashed. This suffices to distinguish most data, and ends for cycles. */

@@ -11,7 +11,8 @@ bool vs_equal(vs_scheme *vm, vs_value a, vs_value b, bool *out);      /* Sets *o
                                                                        * equal?. Returns false when memory is out or a
                                                                        * limit is reached. */
 /* Returns the hash of v for a table of this kind, VS_TABLE_EQ to VS_TABLE_STRING. Sets *moves to true if the hash
- * depends on the address of a young object, and is valid only until vm->collections changes. */
+ * depends on the address of a young object, and is valid only until vm->collections changes. If moves is NULL, the hash
+ * depends on no address, and is valid for ever. */
 uint64_t vs_hash(vs_scheme *vm, vs_value v, uint32_t kind, bool *moves);
 
 #endif
