@@ -243,6 +243,7 @@ size_t vs_statistics(const vs_scheme *vm, vs_statistic *out, size_t room) {
   add(&l, "memory.peak", (double)vs_tally_peak(&s->tally), "bytes");
   add(&l, "memory.model", (double)vs_store_bytes(s->bind.store), "bytes");
   add(&l, "heap.collections", (double)vm->collections, "");
+  add(&l, "heap.pause", vm->pause, "s");
   add(&l, "steps", (double)vm->steps, "");
   add(&l, "objects.drawn", (double)s->bind.scene.drawn_count, "");
   add(&l, "objects.returned", (double)s->bind.returned_count, "");

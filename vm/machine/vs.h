@@ -155,6 +155,7 @@ struct vs_scheme {
                                     * continuation can return to the call a second time */
   uint64_t collections;            /* number of times that the nursery was emptied; while it is unchanged, the addresses
                                     * of young objects remain valid */
+  double pause;                    /* duration of the longest collection so far, in seconds */
   size_t bytes, peak_bytes;        /* bytes: memory of this interpreter in bytes; peak_bytes: its greatest value so
                                     * far */
 

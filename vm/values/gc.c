@@ -507,8 +507,17 @@ static void gc_trace_foreign(vs_scheme *vm, void (*visit)(vs_scheme *, vs_value 
 
 bool vs_gc_is_minor(const vs_scheme *vm) { return vm->gc->minor; }
 
+/* Returns the host's time in seconds, or 0 without a clock. */
+static double gc_clock(vs_scheme *vm) { return vm->config.clock ? vm->config.clock(vm->config.user) : 0; }
+/* Notes the end of a collection that began at `since`. */
+static void gc_note_pause(vs_scheme *vm, double since) {
+  double pause = gc_clock(vm) - since;
+  if (pause > vm->pause) vm->pause = pause;
+}
+
 void vs_gc_minor(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
+  double since = gc_clock(vm);
   if (!gc->ready) return;      /* the nursery could not be opened for lack of reserved blocks, so it contains no
                                 * objects */
   gc->grey = NULL;
@@ -555,6 +564,7 @@ void vs_gc_minor(vs_scheme *vm) {
   vm->condition = was;
   /* If memory for the reserved blocks is refused, the nursery remains closed, and the next allocation tries again. */
   if (gc->ready) gc_hold_down(vm); else vm->end = vm->free;
+  gc_note_pause(vm, since);
   if (VS_DEBUG_CHECK && !vs_gc_check(vm)) __builtin_trap();
 }
 
@@ -689,6 +699,7 @@ static void major_sweep(vs_scheme *vm) {
 
 void vs_gc_major(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
+  double since = gc_clock(vm);
   vs_gc_minor(vm);
   if (vm->free != vm->nursery) return;         /* the minor collection could not empty the nursery, because memory was
                                                 * refused */
@@ -726,6 +737,7 @@ void vs_gc_major(vs_scheme *vm) {
     vs_mem(vm, gc->marks, gc->mark_room * sizeof *gc->marks, 0);
     gc->marks = NULL; gc->mark_room = 0;
   }
+  gc_note_pause(vm, since);
   if (VS_DEBUG_CHECK && !vs_gc_check(vm)) __builtin_trap();
 }
 
