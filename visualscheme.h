@@ -17,6 +17,12 @@
  * failed call returns, it passes the reason to `diagnose`. After any failure the interpreter is usable, even when it
  * reached its memory limit.
  *
+ * Versions. A host may be compiled with the header of an earlier version than the library's. As long as the version's
+ * first number stays (0.N, for the versions 0.N.M), so do functions, their arguments, values of enums and offsets of
+ * members. New functions and enumerators may come. Structs of options contain their size and grow at their end, and so
+ * do the structs that only callbacks receive. No other struct grows: a further result gets a function of its own, and a
+ * further callback of vs_host a member of vs_options. The library's file has the number, as libvisualscheme.so.0.
+ *
  * Threads. A single thread at a time uses an interpreter. Different interpreters share nothing. Only vs_interrupt may
  * be called from any thread, and from a signal handler. Callbacks run in the calling thread. A callback must not call
  * into the same interpreter; the exceptions are vs_interrupt and the functions that the section on handles names. */
@@ -124,7 +130,11 @@ typedef struct {
  * failure. old_size: size of the last request for this block. */
 typedef void *vs_alloc_fn(void *context, void *old, size_t old_size, size_t new_size);
 
+/* The options of an interpreter. Each struct of options begins with its size in the compiled host, by which the library
+ * finds the members that the host knows; the others have their defaults. vs_options_default sets the size. If it is 0,
+ * as in an initialiser without it, the library reads the members of version 0.1. */
 typedef struct {
+  size_t size;
   vs_host host;
   vs_alloc_fn *alloc;     /* allocator; NULL: the C library's */
   void *alloc_context;
@@ -151,7 +161,13 @@ typedef struct {
   const char *const *command_line; size_t command_line_count;
 } vs_options;
 
-VS_API vs_options vs_options_default(void);
+/* Sets *o to the default options. size: sizeof(vs_options) in the host. */
+VS_API void vs_options_init(vs_options *o, size_t size);
+static inline vs_options vs_options_default(void) {
+  vs_options o;
+  vs_options_init(&o, sizeof o);
+  return o;
+}
 
 /* Returns a new interpreter, which the caller frees by vs_free. Returns NULL if memory is out. If o is NULL, uses the
  * default options. The interpreter copies the data of o, and calls its callbacks until vs_free. */
@@ -496,6 +512,7 @@ VS_API const char *vs_check_redefined(vs_scheme *s);
  * it, the program has run with the fitted values, and vs_parameter_set holds them. */
 
 typedef struct {
+  size_t size;   /* size of this struct in the host, as in vs_options */
   bool placed;   /* whether the scan is in the model's coordinates and must not be moved */
   bool near;     /* whether the scan is roughly in place, so that vs_fit does not try other places for it */
   bool any_pose; /* whether the scan's up direction may differ from the model's */
@@ -504,7 +521,12 @@ typedef struct {
   size_t points;     /* greatest number of points of the scan in the last steps; 0: 20,000 */
   double confidence; /* confidence of the intervals, between 0 and 1; 0: .95 */
 } vs_fit_options;
-VS_API vs_fit_options vs_fit_options_default(void);
+VS_API void vs_fit_options_init(vs_fit_options *o, size_t size); /* Sets *o to the default options. */
+static inline vs_fit_options vs_fit_options_default(void) {
+  vs_fit_options o;
+  vs_fit_options_init(&o, sizeof o);
+  return o;
+}
 
 typedef enum {
   VS_FIT_FITTED,
@@ -603,6 +625,7 @@ typedef struct {
 } vs_development;
 
 typedef struct {
+  size_t size;           /* size of this struct in the host, as in vs_options */
   int width, height;     /* size of a picture in pixels. If both numbers are 0: 1024 by 768. If one number is 0, it is
                           * computed from the other at 4:3 */
   vs_quality quality;
@@ -635,7 +658,12 @@ typedef struct {
   const char *look;      /* name of a look (style) from vs_look_list, which replaces the model's look; NULL: the model's
                           * own look */
 } vs_output_options;
-VS_API vs_output_options vs_output_options_default(void);
+VS_API void vs_output_options_init(vs_output_options *o, size_t size); /* Sets *o to the default options. */
+static inline vs_output_options vs_output_options_default(void) {
+  vs_output_options o;
+  vs_output_options_init(&o, sizeof o);
+  return o;
+}
 
 /* Writes the drawing to path. An existing file stays until the new file is complete and on disk. format: a name or
  * suffix; NULL: the suffix of the path determines the format. If o is NULL, uses the default options. If the format has
@@ -915,6 +943,8 @@ VS_API bool vs_handle_get_boolean(vs_scheme *s, vs_handle h); /* Returns false f
 /* Reads a value that consists of numbers: a number (1), a point or vector (3), or a matrix (16, row by row). Copies at
  * most `room` numbers to out. Returns how many numbers the value has, or 0 for any other value. */
 VS_API size_t vs_handle_get_numbers(vs_scheme *s, vs_handle h, double *out, size_t room);
+/* Sets *out to the value of an exact integer of at most 64 bits. Returns false for any other value. */
+VS_API bool vs_handle_get_integer(vs_scheme *s, vs_handle h, int64_t *out);
 VS_API bool vs_handle_is_exact(vs_scheme *s, vs_handle h); /* Returns true if the value is an exact number, whose text
                                                             * contains all digits. */
 /* Returns the text of a string or symbol, or a number as a program writes it; NULL for any other value. The text is
@@ -934,6 +964,10 @@ VS_API bool vs_handle_same(vs_scheme *s, vs_handle a, vs_handle b); /* Returns t
  * program fails, vs_apply passes the error to `diagnose` and sets no result. result may be NULL. */
 VS_API vs_handle vs_lookup(vs_scheme *s, const char *name);
 VS_API bool vs_define(vs_scheme *s, const char *name, vs_handle value);
+/* Evaluates a text as vs_eval_text does. Sets *value to a handle to the value of the text's last form, or to 0 if the
+ * evaluation did not end with VS_OUTCOME_DONE. */
+VS_API vs_outcome vs_eval_value(vs_scheme *s, const char *name, unsigned first_line, const char *text, size_t length,
+    unsigned flags, vs_handle *value);
 VS_API vs_outcome vs_apply(vs_scheme *s, vs_handle procedure, const vs_handle *arguments, size_t count,
     vs_handle *result);
 

@@ -296,6 +296,12 @@ size_t vs_handle_get_numbers(vs_scheme *vm, vs_handle h, double *out, size_t roo
   return count;
 }
 
+bool vs_handle_get_integer(vs_scheme *vm, vs_handle h, int64_t *out) {
+  vs_value v;
+  return vs_session_held(vs_session_of(vm), "vs_handle_get_integer", h, &v) && vs_is_exact_integer(v) &&
+         vs_int_to_int64(v, out);
+}
+
 bool vs_handle_is_exact(vs_scheme *vm, vs_handle h) {
   vs_value v;
   return vs_session_held(vs_session_of(vm), "vs_handle_is_exact", h, &v) && vs_is_number(v) && vs_is_exact(v);

@@ -9,6 +9,7 @@
 #include <dirent.h>
 #include <errno.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
@@ -33,6 +34,20 @@ static void *session_memory(vs_session *s, void *old, size_t old_bytes, size_t b
 }
 
 /* Allocates, reallocates or frees memory. If memory is out, removes results from the cache and allocates again. */
+void vs_session_take_options(void *own, size_t room, const void *given) {
+  size_t size;
+  VS_ASSERT(own && room >= sizeof size);
+  if (given) memcpy(&size, given, sizeof size), memcpy(own, given, size && size < room ? size : room);
+  memcpy(own, &room, sizeof room);
+}
+
+void vs_session_give_options(void *given, size_t size, const void *own, size_t room) {
+  VS_ASSERT(size >= sizeof size && room >= sizeof room);
+  memset(given, 0, size);
+  memcpy(given, own, size < room ? size : room);
+  memcpy(given, &size, sizeof size);
+}
+
 void *vs_session_memory(void *session, void *old, size_t old_bytes, size_t bytes) {
   vs_session *s = session;
   void *p = session_memory(s, old, old_bytes, bytes);

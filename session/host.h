@@ -4,6 +4,12 @@
 
 #include "session/session.h"
 
+/* Copies a struct of options, which begins with its size, from the host to *own, which contains the defaults. Copies
+ * the members that the host's header and the library both have. room: the size of *own; a size of 0 means this size.
+ * given may be NULL. */
+void vs_session_take_options(void *own, size_t room, const void *given);
+/* Sets *given, a host's struct of `size` bytes, to the defaults in *own; members that the library lacks become 0. */
+void vs_session_give_options(void *given, size_t size, const void *own, size_t room);
 void *vs_session_memory(void *session, void *old, size_t old_bytes, size_t bytes);  /* Allocates, reallocates or
                                                                                      * frees memory, for the VM and
                                                                                      * the store. */

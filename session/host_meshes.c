@@ -336,7 +336,8 @@ vs_outcome vs_meshes_begin(vs_scheme *vm, const vs_output_options *options) {
     drop_shapes(s, &m->now);
     m->open = false;
   }
-  vs_output_options o = options ? *options : vs_output_options_default();
+  vs_output_options o = vs_output_options_default();
+  vs_session_take_options(&o, sizeof o, options);
   o.passes &= ~(1u << VS_PASS_FOLD); /* omits the pass fold, which would turn the copies of a shape into different
                                       * nodes */
   vs_byte_sink nowhere = { take_nothing, NULL };

@@ -556,6 +556,7 @@ vs_outcome vs_session_take(vs_session *s, vs_ref **out, size_t *count) {
   return outcome;
 }
 
-vs_output_options vs_output_options_default(void) {
-  return (vs_output_options){ .quality = VS_QUALITY_GOOD, .passes = VS_PASSES_ALL };
+void vs_output_options_init(vs_output_options *o, size_t size) {
+  const vs_output_options usual = { .size = sizeof usual, .quality = VS_QUALITY_GOOD, .passes = VS_PASSES_ALL };
+  vs_session_give_options(o, size, &usual, sizeof usual);
 }

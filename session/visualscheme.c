@@ -56,7 +56,10 @@ const char *vs_version(void) { return VS_VERSION; }
 
 /* ---- opening and closing ---- */
 
-vs_options vs_options_default(void) { return (vs_options){ .library_path = NULL }; }
+void vs_options_init(vs_options *o, size_t size) {
+  const vs_options usual = { .size = sizeof usual };
+  vs_session_give_options(o, size, &usual, sizeof usual);
+}
 
 /* Defines the next name for results at the prompt ($1, $2 ...) with the value v. */
 static bool name_result(vs_session *s, vs_value v) {
@@ -249,7 +252,8 @@ static void free_texts(vs_session *s) {
 }
 
 vs_scheme *vs_new(const vs_options *options) {
-  vs_options o = options ? *options : vs_options_default();
+  vs_options o = vs_options_default();
+  vs_session_take_options(&o, sizeof o, options);
   vs_session *s = bootstrap_memory(&o, NULL, 0, sizeof *s);
   if (!s) return NULL;
   memset(s, 0, sizeof *s);
@@ -371,20 +375,34 @@ static vs_outcome check(vs_session *s, vs_outcome outcome, unsigned flags) {
   return outcome;
 }
 
-vs_outcome vs_eval_text(vs_scheme *vm, const char *name, unsigned first_line, const char *text, size_t length,
-                        unsigned flags) {
-  vs_session *s = vs_session_of(vm);
-  if (vs_session_busy(s, "vs_eval_text")) return VS_OUTCOME_USAGE;
+/* Evaluates a text for vs_eval_text and vs_eval_value. value may be NULL. who: the function's name. */
+static vs_outcome evaluate(vs_session *s, const char *who, const char *name, const vs_passage *passage, unsigned flags,
+                           vs_handle *value) {
+  vs_scheme *vm = s->bind.vm;
+  if (value) *value = 0;
+  if (vs_session_busy(s, who)) return VS_OUTCOME_USAGE;
   if (was_interrupted(s)) return VS_OUTCOME_INTERRUPTED;
   vs_session_begin(s, flags);
-  if (!vs_session_keep_source(s, name, first_line, text, length))
+  if (!vs_session_keep_source(s, name, passage->line, passage->at, passage->size))
     return vs_session_finish(s, vs_fail_memory(vm), false);
   VS_ROOTS(vm, r, 1);
-  const vs_passage passage = { text, length, first_line };
   bool within = flags & VS_EVAL_WITHIN && vs_is_pair(vm->at.stops), ok = may_run(s);
-  if (within) ok = ok && vs_session_bindings(s, &r[0]) && vs_program_within(vm, name, &passage, r[0], &vm->value);
-  else ok = ok && vs_program_text(vm, name, &passage, !(flags & VS_EVAL_PROGRAM), &vm->value);
-  return check(s, vs_session_finish(s, ok, false), flags);
+  if (within) ok = ok && vs_session_bindings(s, &r[0]) && vs_program_within(vm, name, passage, r[0], &vm->value);
+  else ok = ok && vs_program_text(vm, name, passage, !(flags & VS_EVAL_PROGRAM), &vm->value);
+  r[0] = vm->value;
+  vs_outcome outcome = check(s, vs_session_finish(s, ok, false), flags);
+  if (outcome == VS_OUTCOME_DONE && value && !(*value = vs_session_hold(s, &r[0]))) return VS_OUTCOME_MACHINE;
+  return outcome;
+}
+vs_outcome vs_eval_text(vs_scheme *vm, const char *name, unsigned first_line, const char *text, size_t length,
+                        unsigned flags) {
+  const vs_passage passage = { text, length, first_line };
+  return evaluate(vs_session_of(vm), "vs_eval_text", name, &passage, flags, NULL);
+}
+vs_outcome vs_eval_value(vs_scheme *vm, const char *name, unsigned first_line, const char *text, size_t length,
+                         unsigned flags, vs_handle *value) {
+  const vs_passage passage = { text, length, first_line };
+  return evaluate(vs_session_of(vm), "vs_eval_value", name, &passage, flags, value);
 }
 
 vs_outcome vs_resume(vs_scheme *vm, vs_resume_way way) {
@@ -665,7 +683,8 @@ static vs_outcome write_to(vs_scheme *vm, const char *path, const char *format_n
                            vs_byte_sink *to) {
   vs_session *s = vs_session_of(vm);
   if (vs_session_busy(s, "vs_write_drawing")) return VS_OUTCOME_USAGE;
-  vs_output_options o = options ? *options : vs_output_options_default();
+  vs_output_options o = vs_output_options_default();
+  vs_session_take_options(&o, sizeof o, options);
   const char *wanted = format_name ? format_name : path;
   vs_format room;
   const vs_format *format = wanted ? format_of(s, wanted, &room) : NULL;

@@ -14,7 +14,7 @@ import signal
 import sys
 import threading
 from collections import namedtuple
-from ctypes import byref, c_double
+from ctypes import byref, c_double, sizeof
 from fractions import Fraction
 
 import numpy
@@ -179,7 +179,8 @@ class Scheme:
         self._c = c.load()
         self._errors, self._kept, self.warnings = [], {}, []
         self._output, self._decoder = output, codecs.getincrementaldecoder("utf-8")("replace")
-        options = self._c.vs_options_default()
+        options = c.Options()
+        self._c.vs_options_init(byref(options), sizeof(options))
         # The poll gives Python the opportunity to run its handlers of signals, Ctrl-C's among them.
         self._host = (c.OutputFn(self._print), c.DiagnoseFn(self._diagnose), c.PollFn(lambda _: False))
         options.host.output, options.host.diagnose, options.host.poll = self._host
@@ -386,6 +387,12 @@ class Scheme:
         data = text.encode()
         self._do(self._c.vs_eval_text, _name(name), 1, data, len(data), 0)
 
+    def value(self, text, name="python"):
+        """Evaluates every form of the text, and returns the last form's value."""
+        data, handle = text.encode(), c.Handle()
+        self._do(self._c.vs_eval_value, _name(name), 1, data, len(data), 0, byref(handle))
+        return self._take(handle.value)
+
     def run_file(self, path):
         self._do(self._c.vs_eval_file, _path(path), 0)
 
@@ -483,7 +490,8 @@ class Scheme:
 
     def _options(self, width=0, height=0, quality=None, view=None, camera=None, sun=None, tolerance=0.0, segments=0,
                  layers=False, strict=False):
-        o = self._c.vs_output_options_default()
+        o = c.OutputOptions()
+        self._c.vs_output_options_init(byref(o), sizeof(o))
         o.width, o.height, o.tolerance, o.segments = width, height, tolerance, segments
         o.layers, o.strict = layers, strict
         if quality is not None:

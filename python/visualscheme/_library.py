@@ -35,7 +35,7 @@ class Host(Structure):
 
 
 class Options(Structure):
-    _fields_ = [("host", Host), ("alloc", c_void_p), ("alloc_context", c_void_p), ("limit_time", c_double),
+    _fields_ = [("size", c_size_t), ("host", Host), ("alloc", c_void_p), ("alloc_context", c_void_p), ("limit_time", c_double),
                 ("limit_memory", c_size_t), ("limit_steps", c_uint64), ("limit_output", c_size_t),
                 ("limit_worker", c_double), ("limit_triangles", c_size_t), ("cache", c_size_t),
                 ("keep_calls", c_bool), ("untrusted", c_bool), ("ends_after_interrupt", c_bool),
@@ -85,7 +85,7 @@ class Development(Structure):
 
 
 class OutputOptions(Structure):
-    _fields_ = [("width", c_int), ("height", c_int), ("quality", c_int), ("development", Development),
+    _fields_ = [("size", c_size_t), ("width", c_int), ("height", c_int), ("quality", c_int), ("development", Development),
                 ("layers", c_bool), ("view", c_char_p), ("part", c_char_p), ("has_camera", c_bool), ("camera", c_double * 7),
                 ("has_sun", c_bool), ("sun", c_double * 2), ("tolerance", c_double), ("segments", c_int), ("least_segments", c_int),
                 ("passes", c_uint), ("count", c_bool), ("strict", c_bool), ("change", c_bool), ("up_y", c_bool),
@@ -111,16 +111,17 @@ WriteFn = CFUNCTYPE(c_bool, c_void_p, c_void_p, c_size_t)
 
 _S, _H, _T = c_void_p, Handle, c_char_p
 _FUNCTIONS = {
-    "vs_version": (_T, []), "vs_options_default": (Options, []), "vs_new": (_S, [POINTER(Options)]),
+    "vs_version": (_T, []), "vs_options_init": (None, [POINTER(Options), c_size_t]), "vs_new": (_S, [POINTER(Options)]),
     "vs_free": (None, [_S]), "vs_restart": (c_int, [_S]), "vs_interrupt": (None, [_S]),
     "vs_interrupt_clear": (None, [_S]),
     "vs_eval_file": (c_int, [_S, _T, c_uint]),
     "vs_eval_text": (c_int, [_S, _T, c_uint, _T, c_size_t, c_uint]),
+    "vs_eval_value": (c_int, [_S, _T, c_uint, _T, c_size_t, c_uint, POINTER(_H)]),
     "vs_parameter_set": (c_bool, [_S, _T, _T]), "vs_parameter_unset": (None, [_S, _T]),
     "vs_parameter_count": (c_size_t, [_S]), "vs_parameter_get": (c_bool, [_S, c_size_t, POINTER(ParameterInfo)]),
     "vs_parameter_unused": (_T, [_S, c_size_t]),
     "vs_drawing_summary": (c_int, [_S, POINTER(Summary)]), "vs_drawing_clear": (None, [_S]),
-    "vs_output_options_default": (OutputOptions, []),
+    "vs_output_options_init": (None, [POINTER(OutputOptions), c_size_t]),
     "vs_write_drawing": (c_int, [_S, _T, _T, POINTER(OutputOptions)]),
     "vs_write_drawing_to": (c_int, [_S, _T, POINTER(OutputOptions), WriteFn, c_void_p]),
     "vs_statistics": (c_size_t, [_S, POINTER(Statistic), c_size_t]),
@@ -170,11 +171,12 @@ LEFT_OUT = {
     "a Python object is kept in a table of the host's, under a number that the program has": (
         "vs_handle_host vs_handle_get_host"),
     "their likes with a length take zero bytes, too": "vs_handle_text vs_handle_get_text",
+    "a number's text has integers of any size": "vs_handle_get_integer",
     "an error or the manual lists the formats and passes": (
         "vs_format_list vs_format_endings vs_format_find vs_format_of vs_pass_list vs_look_list vs_unit_name "
         "vs_output_statistics vs_view_name vs_part_names"),
     "the command vs does this with files, and no value of the program takes part": (
-        "vs_drawing_keep vs_drawing_compare vs_check_waits vs_check_next vs_check_redefined vs_fit_options_default vs_fit vs_fit_parameter_get vs_fit_distances "
+        "vs_drawing_keep vs_drawing_compare vs_check_waits vs_check_next vs_check_redefined vs_fit_options_init vs_fit vs_fit_parameter_get vs_fit_distances "
         "vs_fit_map vs_picture_tone vs_picture_false_color vs_picture_illuminance vs_picture_pick vs_picture_compare vs_picture_denoise vs_picture_join vs_picture_tile_top vs_report_get "
         "vs_sun_study vs_is_input vs_input_name vs_note_input"),
     "meshes() hands over what a format of Python's would write": (

@@ -41,7 +41,10 @@ struct vs_scan_fit {
   double *distances; /* distances[i]: distance of point i of the file from the model */
 };
 
-vs_fit_options vs_fit_options_default(void) { return (vs_fit_options){ .points = USUAL_POINTS, .confidence = .95 }; }
+void vs_fit_options_init(vs_fit_options *o, size_t size) {
+  const vs_fit_options usual = { .size = sizeof usual, .points = USUAL_POINTS, .confidence = .95 };
+  vs_session_give_options(o, size, &usual, sizeof usual);
+}
 
 void vs_session_free_fit(vs_session *s) {
   vs_scan_fit *f = s->fit;
@@ -495,13 +498,14 @@ static vs_outcome conclude(job *j, const vs_fit_result *r) {
   return VS_OUTCOME_MODEL;
 }
 
-vs_outcome vs_fit(vs_scheme *vm, const char *model, const char *scan, const vs_fit_options *o, vs_fit_result *out) {
+vs_outcome vs_fit(vs_scheme *vm, const char *model, const char *scan, const vs_fit_options *given, vs_fit_result *out) {
   vs_session *s = vs_session_of(vm);
-  vs_fit_options usual = vs_fit_options_default();
+  vs_fit_options own = vs_fit_options_default();
+  const vs_fit_options *o = &own;
+  vs_session_take_options(&own, sizeof own, given);
   vs_fit_number *numbers = NULL;
   vs_error e = { 0 };
   *out = (vs_fit_result){ 0 };
-  if (!o) o = &usual;
   if (vs_session_busy(s, "vs_fit")) return VS_OUTCOME_USAGE;
   vs_session_free_fit(s);
   size_t room = 0;

@@ -450,8 +450,9 @@ vs_outcome vs_sun_study(vs_scheme *vm, const vs_sun_span *span, const char *fold
                         vs_sun_summary *out) {
   vs_session *s = vs_session_of(vm);
   if (vs_session_busy(s, "vs_sun_study")) return VS_OUTCOME_USAGE;
-  vs_output_options defaults = vs_output_options_default();
-  const vs_output_options *o = options ? options : &defaults;
+  vs_output_options own = vs_output_options_default();
+  const vs_output_options *o = &own;
+  vs_session_take_options(&own, sizeof own, options);
   vs_ref *refs = NULL;
   size_t count = 0;
   *out = (vs_sun_summary){ 0 };

@@ -96,8 +96,77 @@ static void say_on_standard_error(void) {
   vs_free(s);
 }
 
+static int64_t integer_of(vs_scheme *s, const char *text) {
+  vs_handle h;
+  int64_t n = -1;
+  CHECK(vs_eval_value(s, "text", 1, text, strlen(text), 0, &h) == VS_OUTCOME_DONE && vs_handle_get_integer(s, h, &n));
+  vs_handle_release(s, h);
+  return n;
+}
+
+/* Gets values of texts, and integers of 64 bits in both directions. */
+static void values_and_integers(void) {
+  static const int64_t numbers[] = {0, 1, -1, (INT64_C(1) << 47) - 1, INT64_C(1) << 47, -(INT64_C(1) << 47) - 1, INT64_MAX, INT64_MIN};
+  static const char *const others[] = {"1.0", "1/2", "9223372036854775808", "-9223372036854775809", "(expt 10 100)", "\"1\"", "'a"};
+  static host a;
+  vs_options o = vs_options_default();
+  o.host = (vs_host){.context = &a, .output = print, .diagnose = diagnose};
+  vs_scheme *s = vs_new(&o);
+  vs_handle h;
+  int64_t n;
+  CHECK(integer_of(s, "(define x 20) (display x) (+ x 1)") == 21 && strcmp(a.printed, "20") == 0);
+  for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
+    char text[40];
+    snprintf(text, sizeof text, "%lld", (long long)numbers[i]);
+    CHECK(integer_of(s, text) == numbers[i]);
+    h = vs_handle_integer(s, numbers[i]);
+    CHECK(vs_handle_get_integer(s, h, &n) && n == numbers[i] && strcmp(vs_handle_get_text(s, h), text) == 0);
+    vs_handle_release(s, h);
+  }
+  for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
+    CHECK(vs_eval_value(s, "text", 1, others[i], strlen(others[i]), 0, &h) == VS_OUTCOME_DONE && !vs_handle_get_integer(s, h, &n));
+    vs_handle_release(s, h);
+  }
+  h = 5;
+  CHECK(vs_eval_value(s, "text", 3, "1 (car 5)", 9, 0, &h) == VS_OUTCOME_MODEL && h == 0 && a.at.line == 3 && a.at.column == 3);
+  CHECK(vs_eval_value(s, "text", 1, "(list 1 2)", 10, 0, &h) == VS_OUTCOME_DONE && vs_handle_count(s, h) == 2);
+  vs_free(s);
+}
+
+/* A host of an earlier version has shorter structs of options: the library reads no byte behind them, and writes none.
+ * A host of a later version has longer ones. */
+static void options_of_other_versions(void) {
+  struct { vs_options o; unsigned char behind[64]; } later;
+  memset(&later, 0x55, sizeof later);
+  vs_options_init(&later.o, sizeof later);
+  CHECK(later.o.size == sizeof later && later.behind[0] == 0 && later.behind[63] == 0 && later.o.limit_steps == 0);
+  later.o.limit_steps = 1000;
+  vs_scheme *s = vs_new(&later.o);
+  CHECK(s && run(s, "(let loop () (loop))", 0) == VS_OUTCOME_MACHINE);
+  vs_free(s);
+
+  size_t known = offsetof(vs_options, limit_steps); /* the host knows no members from limit_steps on */
+  _Alignas(16) unsigned char earlier[sizeof(vs_options)];
+  vs_options_init((vs_options *)(void *)memset(earlier, 0x55, sizeof earlier), known);
+  bool untouched = true;
+  for (size_t i = known; i < sizeof earlier; i++) untouched = untouched && earlier[i] == 0x55;
+  CHECK(untouched);
+  s = vs_new((vs_options *)(void *)earlier); /* the bytes behind would be a limit of steps, and addresses */
+  CHECK(s && run(s, "(do ((i 0 (+ i 1))) ((= i 100000)))", 0) == VS_OUTCOME_DONE);
+  vs_free(s);
+
+  vs_output_options out = vs_output_options_default();
+  vs_fit_options fit = vs_fit_options_default();
+  CHECK(out.size == sizeof out && out.passes == VS_PASSES_ALL && fit.size == sizeof fit && fit.points == 20000);
+  s = vs_new(&(vs_options){.limit_steps = 1000}); /* a size of 0 */
+  CHECK(s && run(s, "(let loop () (loop))", 0) == VS_OUTCOME_MACHINE);
+  vs_free(s);
+}
+
 int main(void) {
   say_on_standard_error();
+  values_and_integers();
+  options_of_other_versions();
   static host a, b;
   vs_options o = vs_options_default();
   o.host = (vs_host){.context = &a, .output = print, .diagnose = diagnose, .value = value, .poll = poll_interrupt};

@@ -51,6 +51,9 @@ with Scheme(output=said.append) as s:
     check("an unknown name", raises(lambda: s["no-such-name"], "not defined"))
     s["weight"] = lambda v: v * 7.85
     s.run("(define w (weight 2))")
+    check("the value of a text", s.value("(define n 6) (* n 7)") == 42 and s.value("(list 1/2 \"a\" (expt 10 30))") == [
+        Fraction(1, 2), "a", 10 ** 30])
+    check("an error of a value", raises(lambda: s.value("1 (car 5)"), "car"))
     check("a procedure of Python's", abs(s["w"] - 15.7) < 1e-12)
     s["broken"] = lambda: 1 / 0
     check("Python's error is the program's", raises(lambda: s.run("(broken)"), "broken: division by zero"))

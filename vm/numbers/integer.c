@@ -178,6 +178,16 @@ int vs_int_sign(vs_value a) {
   return vs_object_of(a)->flags & VS_F_NEGATIVE ? -1 : 1;
 }
 
+bool vs_int_to_int64(vs_value a, int64_t *out) {
+  if (vs_is_fixnum(a)) return *out = vs_fixnum(a), true;
+  const vs_bignum *big = vs_as_bignum(a);
+  VS_ASSERT(big->count > 0);
+  bool negative = vs_int_sign(a) < 0;
+  if (big->count > 1 || big->limb[0] > (uint64_t)INT64_MAX + negative) return false;
+  *out = negative ? (int64_t)-big->limb[0] : (int64_t)big->limb[0];
+  return true;
+}
+
 bool vs_int_is_odd(vs_value a) { return vs_is_fixnum(a) ? vs_fixnum(a) & 1 : (int)(vs_as_bignum(a)->limb[0] & 1); }
 
 int vs_int_compare(vs_value a, vs_value b) {

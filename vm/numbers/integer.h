@@ -19,6 +19,7 @@ typedef struct vs_int_view { const mp_limb_t *at; mp_size_t n; bool negative; mp
 void vs_int_look(vs_value v, vs_int_view *w);
 
 bool vs_int_from_int64(vs_scheme *vm, int64_t n, vs_value *out);
+bool vs_int_to_int64(vs_value a, int64_t *out); /* Returns false for an exact integer beyond 64 bits. */
 bool vs_int_from_uint64(vs_scheme *vm, uint64_t n, vs_value *out);
 bool vs_int_add(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
 bool vs_int_sub(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
