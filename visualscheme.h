@@ -159,6 +159,8 @@ typedef struct {
   /* The result of (command-line): the program's name, then its arguments. If the count is 0, the result contains only
    * "vs". */
   const char *const *command_line; size_t command_line_count;
+  size_t limit_stack; /* limit in bytes of the running calls, those that wait for another. 0: 1 GB, or a third of
+                       * limit_memory if that is less */
 } vs_options;
 
 /* Sets *o to the default options. size: sizeof(vs_options) in the host. */

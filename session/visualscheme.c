@@ -267,6 +267,7 @@ vs_scheme *vs_new(const vs_options *options) {
     .memory = vs_session_memory,
     .user = s,
     .memory_limit = o.limit_memory,
+    .stack_limit = o.limit_stack,
     .step_limit = o.limit_steps,
     .output_limit = o.limit_output,
     .time_limit = o.limit_time,

@@ -39,7 +39,8 @@ class Options(Structure):
                 ("limit_memory", c_size_t), ("limit_steps", c_uint64), ("limit_output", c_size_t),
                 ("limit_worker", c_double), ("limit_triangles", c_size_t), ("cache", c_size_t),
                 ("keep_calls", c_bool), ("untrusted", c_bool), ("ends_after_interrupt", c_bool),
-                ("library_path", c_char_p), ("command_line", c_void_p), ("command_line_count", c_size_t)]
+                ("library_path", c_char_p), ("command_line", c_void_p), ("command_line_count", c_size_t),
+                ("limit_stack", c_size_t)]
 
 
 class Part(Structure):

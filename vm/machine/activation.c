@@ -2,6 +2,8 @@
  * for error messages. */
 #include "vm/machine/activation.h"
 
+#include <stdio.h>
+
 #include "vm/compiler/code.h"
 #include "vm/machine/fail.h"
 #include "vm/values/gc.h"
@@ -87,15 +89,30 @@ static vs_value *flush_failed(vs_scheme *vm, vs_value *w) {
   return NULL;
 }
 
-/* Returns the greatest number of stack slots for nested calls that are not tail calls. The limit of 256 MB suffices for
- * about 5 million calls; if memory is limited, nested calls may use a third of it. */
+/* Returns the greatest number of stack slots for nested calls that are not tail calls. The usual limit, 1 GB, suffices
+ * for about 20 million calls; if memory is limited, nested calls may use a third of it. */
 static size_t most_slots(const vs_scheme *vm) {
-  size_t bytes = (size_t)256 << 20;
+  if (vm->config.stack_limit) return vm->config.stack_limit / sizeof(vs_value);
+  size_t bytes = (size_t)(sizeof(void *) < 8 ? 256 : 1024) << 20;
   if (vm->config.memory_limit && vm->config.memory_limit / 3 < bytes) bytes = vm->config.memory_limit / 3;
   return bytes / sizeof(vs_value);
 }
 
-/* Reports an endless recursion. The message names the procedure that is most frequent among the innermost callers. */
+/* Writes the number of running calls to text, in words: "21 million", or "96 thousand". */
+static void say_depth(vs_scheme *vm, char *text, size_t room) {
+  struct walk w = {vm->base, vm->under, vm->under_depth, false};
+  uint64_t depth = 1;
+  size_t pc;
+  bool native;
+  VS_ASSERT(vm->base);
+  while (walk_up(&w, &pc, &native)) depth++;
+  bool millions = depth >= 1000000;
+  snprintf(text, room, "%llu %s", (unsigned long long)depth / (millions ? 1000000 : 1000),
+           millions ? "million" : "thousand");
+}
+
+/* Reports a recursion that is probably endless. The message names the procedure that is most frequent among the
+ * innermost callers. */
 static bool fail_endless(vs_scheme *vm) {
   enum { MOST = 64 };
   struct link at[MOST];
@@ -107,10 +124,12 @@ static bool fail_endless(vs_scheme *vm) {
   }
   for (size_t i = 0; i < n; i++) others += at[i].name != at[best].name && vs_is_symbol(at[i].name) && !others;
   const char *name = most ? vs_source_said(vm, vs_as_symbol(at[best].name)->name, at[best].place) : "a procedure";
+  char depth[40];
+  say_depth(vm, depth, sizeof depth);
   vm->native = NULL;
-  if (others) return vs_fail(vm, vm->sym.recursion,
-      "%s calls itself without end here, by way of others; is there an `if` that stops it?", name);
-  return vs_fail(vm, vm->sym.recursion, "%s calls itself without end here; is there an `if` that stops it?", name);
+  return vs_fail(vm, vm->sym.recursion,
+      "%s calls itself here%s, %s calls deep; is there an `if` that stops it? --limit-stack allows deeper calls", name,
+      others ? " by way of others" : "", depth);
 }
 
 vs_value *vs_activation_flush(vs_scheme *vm, vs_value *w, size_t n, size_t need) {

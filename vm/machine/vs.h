@@ -47,6 +47,8 @@ typedef struct vs_config {
   void *(*memory)(void *user, void *p, size_t old_bytes, size_t bytes);
   void *user;
   size_t memory_limit;       /* limit of the interpreter's memory in bytes; 0: none */
+  size_t stack_limit;        /* limit in bytes of the activations of nested calls; 0: 1 GB (256 MB where an address has
+                              * 4 bytes), or a third of memory_limit if that is less */
   uint64_t step_limit;       /* greatest number of calls and loop iterations; 0: no limit */
   uint64_t output_limit;     /* greatest number of bytes that the program may print or write; 0: no limit */
   double time_limit;         /* limit of the running time in seconds, measured by the function `clock`; 0: none */
