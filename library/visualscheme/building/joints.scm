@@ -137,10 +137,24 @@
           ((in-all? node) node)
           (else (error 'join-walls "the walls that meet at ~s lie beside each other: move their paths together" node)))))
 
+; Returns true if b goes on where a ends: the same layers in one line.
+(define (continues? a b)
+  (define (all-near? l m) (and (= (length l) (length m)) (every (lambda (x y) (near? x y)) l m)))
+  (and (near? (sector-angle a b) pi 1e-6) (equal? (branch-materials b) (reverse (branch-materials a)))
+       (all-near? (branch-offsets b) (map - (reverse (branch-offsets a)))) (= (+ (branch-core a) (branch-core b) 1) (length (branch-materials a)))))
+
+; Returns the middle of a joint where a wall ends on one that goes straight on: between the corners of their cores, so that
+; its end is straight; #f at other joints.
+(define (middle-of-stem sorted middle)
+  (define (corner l r) (let ((found (reverse (seam l r middle)))) (and (pair? (cdr found)) (stop-point (cadr found)))))
+  (define (with-stem s a b) (and (continues? a b) (let ((p (corner s a)) (q (corner b s))) (and p q (mid p q)))))
+  (and (= (length sorted) 3)
+       (let ((a (first sorted)) (b (second sorted)) (c (third sorted))) (or (with-stem a b c) (with-stem b c a) (with-stem c a b)))))
+
 ; Returns for each branch of a joint its end: a list of (point line cut) from its left face to its right face.
 (define (joint-ends branches)
   (if (null? (cdr branches)) (list (cons (car branches) (free-end (car branches))))
-      (let* ((sorted (sort branches < #:key (lambda (b) (pol-phi (branch-way b))))) (middle (joint-middle sorted))
+      (let* ((sorted (sort branches < #:key (lambda (b) (pol-phi (branch-way b))))) (middle (joint-middle sorted)) (middle (or (middle-of-stem sorted middle) middle))
              (next (append (cdr sorted) (list (car sorted)))))
         (for-each (lambda (l r)
                     (if (< (sector-angle l r) 0.1)
