@@ -401,6 +401,16 @@ VS_API const char *vs_parameter_unused(const vs_scheme *s, size_t index);
 /* Returns the index-th name that the program passed to (report name value), in the order of first use. Sets *value to
  * the name's last value. Returns NULL after the last. */
 VS_API const char *vs_report_get(const vs_scheme *s, size_t index, double *value);
+/* A rule of the design, which (require-that name condition) has tested. */
+typedef struct {
+  const char *name;
+  const char *condition, *found; /* the tested expression, and the values in it, as text */
+  double shortfall;        /* 0 if the rule is met; otherwise the greatest distance of a value from its bound, as a part
+                            * of the larger of both, or 1 if the condition compares no numbers */
+  vs_span at;
+} vs_rule_info;
+/* Describes the index-th rule that the program has tested. Returns false for an index after the last. */
+VS_API bool vs_rule_get(const vs_scheme *s, size_t index, vs_rule_info *out);
 
 /* ---- the drawing ---- */
 

@@ -289,6 +289,7 @@ bool vs_export_sugar(vs_scene *scene, const vs_format *format, const vs_export_o
                           .strict = options->strict,
                           .highlights = b->highlights,
                           .ghosts = b->ghosts,
+                          .faults = b->highlights,
                           .target = b->native,
                           .muted = options->safe,
                           .keeps_parts = options->keeps_parts || vs_backend_has(b, VS_NAMES),

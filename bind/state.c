@@ -12,6 +12,7 @@
 #include "bind/objects.h"
 #include "bind/parameters.h"
 #include "bind/rules/lineage.h"
+#include "bind/solids/design_rules.h"
 #include "bind/thrown.h"
 #include "bind/warnings.h"
 #include "model/store/cache.h"
@@ -40,6 +41,13 @@ static void forget_returned(vs_bind *b) {
   b->drawn_last = b->drawn_away = NULL;
 }
 
+bool vs_bind_keep_rule(vs_bind *b, const vs_design_rule *rule) {
+  if (!vs_store_grow(b->store, &b->design_rules, &b->design_rule_room, b->design_rule_count + 1, sizeof *rule))
+    return false;
+  b->design_rules[b->design_rule_count++] = *rule;
+  return true;
+}
+
 /* Frees the data that belong to one run of a program. */
 static void forget_run(vs_bind *b) {
   vs_store *s = b->store;
@@ -50,6 +58,7 @@ static void forget_run(vs_bind *b) {
     vs_store_realloc(s, b->parameters[i].choices, b->parameters[i].choice_count * sizeof *b->parameters->choices, 0);
   vs_store_realloc(s, b->parameters, b->parameter_room * sizeof *b->parameters, 0);
   vs_store_realloc(s, b->reports, b->report_room * sizeof *b->reports, 0);
+  vs_store_realloc(s, b->design_rules, b->design_rule_room * sizeof *b->design_rules, 0);
   vs_lineage_free(b);
   vs_inside_cache_free(b->inside);
   vs_store_on_ticket(s, NULL, NULL);

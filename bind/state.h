@@ -10,6 +10,7 @@
 typedef struct vs_bind vs_bind;
 typedef struct vs_bind_parameter vs_bind_parameter;
 typedef struct vs_bind_report vs_bind_report;
+typedef struct vs_design_rule vs_design_rule;
 typedef struct vs_bind_setting vs_bind_setting;
 typedef struct vs_bind_back_end vs_bind_back_end;
 
@@ -43,6 +44,8 @@ struct vs_bind {
   size_t parameter_count, parameter_room;
   vs_bind_report *reports;         /* numbers that the program has reported, in the order of the first report of each */
   size_t report_count, report_room;
+  vs_design_rule *design_rules;    /* rules of the design that the program has tested, in their order */
+  size_t design_rule_count, design_rule_room;
   vs_bind_setting *settings;
   size_t setting_count, setting_room;
   size_t refused;                  /* number of refused allocations so far; if it has grown during a search, a result

@@ -32,6 +32,7 @@ typedef struct {
                                * line */
   struct cli_editor *editor;  /* line editor of the prompt, or NULL */
   struct live_follower *view; /* live view opened by ,view, or NULL */
+  bool muted;                 /* whether output and messages of the program are dropped, as in trial runs */
   bool drawn;                 /* whether code has run at the prompt since the live view last showed the drawing */
   unsigned stops;             /* effect of (break) in files. VS_EVAL_STOP: the program pauses; VS_EVAL_PASS: no effect;
                                * 0: a warning */

@@ -36,6 +36,8 @@
 #include "cli/dependencies.h"
 #include "cli/difference.h"
 #include "cli/light/exr_commands.h"
+#include "cli/cure/broken_rules.h"
+#include "cli/cure/cure_command.h"
 #include "cli/fit/fit_command.h"
 #include "cli/light/sun_command.h"
 #include "cli/stats.h"
@@ -63,6 +65,7 @@ static void on_interrupt(int signal_number) {
 
 static bool print_output(void *context, const char *text, size_t length) {
   cli_session *c = context;
+  if (c->muted) return true;
   cli_report_settle(&c->reporter);
   if (length) c->midline = text[length - 1] != '\n';
   if (c->view) live_follow_output(c->view, text, length);
@@ -97,6 +100,7 @@ static void print_value(void *context, const char *text, size_t length) {
 
 static void print_diagnostic(void *context, const vs_diagnostic *d) {
   cli_session *c = context;
+  if (c->muted) return;
   if (d->severity == VS_SEVERITY_ERROR && d->outcome == VS_OUTCOME_MACHINE) atomic_store(&c->watch.told, true);
   cli_report_diagnostic(&c->reporter, d);
   if (c->view) live_follow_diagnose(c->view, d);
@@ -243,19 +247,6 @@ static bool is_picture(const cli_target *t) {
   return f && f->worker && strcmp(t->path, "-") != 0;
 }
 
-enum { PATH_ROOM = 4096 };
-
-/* Writes the name of the picture of a view or a frame, such as a-street.png for a.png. Returns false, after a message,
- * if the name is too long. */
-static bool path_with(const char *path, const char *view, char name[PATH_ROOM]) {
-  const char *dot = strrchr(path, '.'), *slash = strrchr(path, '/');
-  size_t stem = dot && (!slash || dot > slash) ? (size_t)(dot - path) : strlen(path);
-  int length = snprintf(name, PATH_ROOM, "%.*s-%s%s", (int)stem, path, view, path + stem);
-  if (length > 0 && length < PATH_ROOM) return true;
-  fprintf(stderr, "vs: %s: the name is too long\n", path);
-  return false;
-}
-
 /* A function that is called for each output file: cli_session_write or may_write. */
 typedef vs_outcome write_fn(cli_session *c, const cli_target *t);
 
@@ -274,8 +265,8 @@ static vs_outcome write_views(cli_session *c, const cli_target *t, write_fn *wri
   vs_outcome outcome = VS_OUTCOME_DONE;
   const char *view;
   for (size_t i = 0; outcome != VS_OUTCOME_INTERRUPTED && (view = vs_view_name(c->scheme, i)) != NULL; i++) {
-    char path[PATH_ROOM];
-    if (!path_with(t->path, view, path)) return VS_OUTCOME_USAGE;
+    char path[CLI_PATH_ROOM];
+    if (!cli_path_with(t->path, view, path)) return VS_OUTCOME_USAGE;
     c->options->output.view = view;
     vs_outcome one = write(c, &(cli_target){path, t->format});
     if (one == VS_OUTCOME_INTERRUPTED || outcome == VS_OUTCOME_DONE) outcome = one;
@@ -292,10 +283,10 @@ static size_t place_of_part(const char *path) {
 
 /* Writes the path with names[at] for its %p. A character that a file name should not have becomes a hyphen; the second
  * part whose name becomes the same gets the number 2. Returns false, after a message, if the path is too long. */
-static bool part_path(const char *path, const char *const *names, size_t at, char out[PATH_ROOM]) {
+static bool part_path(const char *path, const char *const *names, size_t at, char out[CLI_PATH_ROOM]) {
   size_t before = place_of_part(path), same = 1, length = strlen(names[at]);
-  char number[24] = "", spelled[PATH_ROOM];
-  if (length < PATH_ROOM) {
+  char number[24] = "", spelled[CLI_PATH_ROOM];
+  if (length < CLI_PATH_ROOM) {
     for (size_t i = 0; i <= length; i++) spelled[i] = cli_file_letter(names[at][i], i == 0);
     for (size_t k = 0; k < at; k++) {
       size_t i = 0;
@@ -303,8 +294,8 @@ static bool part_path(const char *path, const char *const *names, size_t at, cha
       same += i == length && names[k][i] == '\0';
     }
     if (same > 1) snprintf(number, sizeof number, "-%zu", same);
-    int written = snprintf(out, PATH_ROOM, "%.*s%s%s%s", (int)before, path, spelled, number, path + before + 2);
-    if (written > 0 && written < PATH_ROOM) return true;
+    int written = snprintf(out, CLI_PATH_ROOM, "%.*s%s%s%s", (int)before, path, spelled, number, path + before + 2);
+    if (written > 0 && written < CLI_PATH_ROOM) return true;
   }
   fprintf(stderr, "vs: %s: the name of part \"%.60s\" is too long\n", path, names[at]);
   return false;
@@ -323,7 +314,7 @@ static vs_outcome write_parts(cli_session *c, const cli_target *t, write_fn *wri
   if (!names) return outcome == VS_OUTCOME_DONE ? VS_OUTCOME_MACHINE : outcome;
   outcome = vs_part_names(c->scheme, names, count, &again);
   for (size_t i = 0; outcome != VS_OUTCOME_INTERRUPTED && i < count && i < again; i++) {
-    char path[PATH_ROOM];
+    char path[CLI_PATH_ROOM];
     vs_outcome one = VS_OUTCOME_USAGE;
     c->options->output.part = names[i];
     if (part_path(t->path, names, i, path)) one = write(c, &(cli_target){path, t->format});
@@ -335,14 +326,14 @@ static vs_outcome write_parts(cli_session *c, const cli_target *t, write_fn *wri
 }
 
 /* writes the name OUT-007.png for the file OUT.png and frame 7 */
-static bool frame_path(const char *path, const cli_frames *f, long frame, char name[PATH_ROOM]) {
+static bool frame_path(const char *path, const cli_frames *f, long frame, char name[CLI_PATH_ROOM]) {
   char number[CLI_FRAME_ROOM];
   cli_frame_number(f, frame, number);
-  return path_with(path, number, name);
+  return cli_path_with(path, number, name);
 }
 
 static vs_outcome write_target(cli_session *c, const cli_target *t, write_fn *write) {
-  char path[PATH_ROOM];
+  char path[CLI_PATH_ROOM];
   cli_target numbered = {path, t->format};
   if (c->frame) {
     if (!frame_path(t->path, &c->options->frames, c->frame, path)) return VS_OUTCOME_USAGE;
@@ -398,7 +389,7 @@ static vs_outcome run_sources(cli_session *c, bool again) {
     outcome = vs_drawing_summary(c->scheme, &summary);
     cli_watch_end(&c->watch);
     if (outcome == VS_OUTCOME_DONE) {
-      char name[PATH_ROOM];
+      char name[CLI_PATH_ROOM];
       snprintf(name, sizeof name, c->frame ? "%s, frame %ld of %ld" : "%s", c->model ? c->model : title(o), c->frame,
                o->frames.count);
       cli_output_flush(c);
@@ -421,7 +412,7 @@ vs_outcome cli_session_run(cli_session *c) {
 static bool frame_stands(const cli_session *c, long frame) {
   const cli_options *o = c->options;
   struct stat made, source;
-  char path[PATH_ROOM];
+  char path[CLI_PATH_ROOM];
   for (size_t i = 0; i < o->target_count; i++) {
     if (o->all_views || !frame_path(o->targets[i].path, &o->frames, frame, path)) return false;
     if (stat(path, &made) != 0) return false;
@@ -464,6 +455,7 @@ static vs_outcome run_frames(cli_session *c) {
     bool used = outcome != VS_OUTCOME_DONE || (frame_parameter_used(c, f) && all_parameters_used(c));
     if (!used) outcome = VS_OUTCOME_USAGE;
     if (outcome == VS_OUTCOME_DONE && !cli_options_late(c->options, c->scheme)) outcome = VS_OUTCOME_USAGE;
+    if (outcome == VS_OUTCOME_DONE && c->options->output.strict) outcome = cli_rules_hold(c->scheme);
     if (outcome == VS_OUTCOME_DONE && c->options->parameters) cli_report_parameters(stdout, c->scheme);
     bool unread = cli_replaced_unread(&c->replaced, c->scheme, c->frame);
     if (outcome == VS_OUTCOME_DONE && unread) outcome = write_all(c);
@@ -488,6 +480,7 @@ static vs_outcome run_batch(cli_session *c) {
     if (o->command == CLI_COMMAND_profile) cli_profile_begin(c);
     outcome = o->command == CLI_COMMAND_diff ? cli_difference(c)
         : o->command == CLI_COMMAND_fit ? cli_fit(c)
+        : o->command == CLI_COMMAND_cure ? cli_cure(c, cli_session_write)
         : o->command == CLI_COMMAND_test ? cli_test_run(c, run_file) : run_sources(c, false);
     if (outcome == VS_OUTCOME_DONE && o->parameters) cli_report_parameters(stdout, c->scheme);
     if (o->command == CLI_COMMAND_sweep && outcome == VS_OUTCOME_DONE) cli_sweep_tell(o->results, c->scheme);
@@ -496,7 +489,9 @@ static vs_outcome run_batch(cli_session *c) {
       vs_outcome told = cli_profile(c, outcome == VS_OUTCOME_DONE);
       if (outcome == VS_OUTCOME_DONE) outcome = told;
     }
-    if (outcome == VS_OUTCOME_DONE && o->command != CLI_COMMAND_fit && o->command != CLI_COMMAND_profile)
+    if (outcome == VS_OUTCOME_DONE && o->output.strict) outcome = cli_rules_hold(c->scheme);
+    if (outcome == VS_OUTCOME_DONE && o->command != CLI_COMMAND_fit && o->command != CLI_COMMAND_cure &&
+        o->command != CLI_COMMAND_profile)
       outcome = o->command == CLI_COMMAND_sunstudy ? cli_sun_command(c) : write_all(c);
   }
   if (outcome == VS_OUTCOME_DONE && !cli_dependencies_write(c)) outcome = VS_OUTCOME_USAGE;
@@ -581,7 +576,8 @@ static void tell_no_memory(const vs_options *o) {
  * Sets *told if a failure of standard output was reported. */
 static int run_session(cli_options *o, bool *told) {
   bool own_output = o->to_stdout || o->command == CLI_COMMAND_params || o->command == CLI_COMMAND_diff ||
-                    o->command == CLI_COMMAND_fit || o->command == CLI_COMMAND_test ||
+                    o->command == CLI_COMMAND_fit || o->command == CLI_COMMAND_cure ||
+                    o->command == CLI_COMMAND_test ||
                     o->command == CLI_COMMAND_profile;
   FILE *output = own_output ? stderr : stdout;
   cli_session session = { .options = o, .told = cli_inputs_find(), .output = output,

@@ -53,6 +53,8 @@ void vs_scene_free(vs_scene *scene) {
   vs_store_realloc(scene->store, scene->notes, scene->note_room * sizeof *scene->notes, 0);
   for (size_t i = 0; i < scene->table_count; i++) free_cells(scene, &scene->tables[i]);
   vs_store_realloc(scene->store, scene->tables, scene->table_room * sizeof *scene->tables, 0);
+  for (size_t i = 0; i < scene->fault_count; i++) vs_node_release(scene->faults[i].node);
+  vs_store_realloc(scene->store, scene->faults, scene->fault_room * sizeof *scene->faults, 0);
   vs_store_realloc(scene->store, scene->lamps, scene->lamp_room * sizeof *scene->lamps, 0);
   vs_store_release(scene->store);
   *scene = (vs_scene){ 0 };
@@ -93,6 +95,30 @@ bool vs_scene_add_table(vs_scene *scene, const vs_scene_table *table) {
       !(copy.cells = vs_store_realloc(scene->store, NULL, 0, bytes))) return false;
   memcpy(copy.cells, table->cells, bytes);
   scene->tables[scene->table_count++] = copy;
+  return true;
+}
+
+bool vs_scene_add_row(vs_scene *scene, const char *title, const char *const *cells) {
+  size_t i = 0;
+  while (!scene->tables[i].title || strcmp(scene->tables[i].title, title) != 0) i++;
+  vs_scene_table *t = &scene->tables[i];
+  const size_t row = t->columns * sizeof *t->cells;
+  const char **grown = vs_store_realloc(scene->store, t->cells, t->rows * row, (t->rows + 1) * row);
+  if (!grown) return false;
+  memcpy(grown + t->rows++ * t->columns, cells, row);
+  t->cells = grown;
+  return true;
+}
+
+bool vs_scene_add_fault(vs_scene *scene, vs_ref ref) {
+  for (size_t i = 0; i < scene->fault_count; i++) {
+    const vs_node *known = scene->faults[i].node;
+    if (known == ref.node || (known->hash == ref.node->hash && vs_node_equal(known, ref.node, NULL))) return true;
+  }
+  if (!vs_store_grow(scene->store, &scene->faults, &scene->fault_room, scene->fault_count + 1, sizeof ref))
+    return false;
+  vs_node_retain(ref.node);
+  scene->faults[scene->fault_count++] = ref;
   return true;
 }
 

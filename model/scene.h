@@ -123,6 +123,9 @@ typedef struct {
   size_t note_count, note_room;
   vs_scene_table *tables;    /* tables on the sheet of drawings, from top to bottom */
   size_t table_count, table_room;
+  vs_ref *faults;            /* objects that break a rule of the design: pictures show them in red, no format of solids
+                              * contains them; the scene holds a reference to each of their nodes */
+  size_t fault_count, fault_room;
   vs_scene_pen *pens;        /* pens of layers, at most one for each layer */
   size_t pen_count, pen_room;
   vs_scene_lamp *lamps;
@@ -175,6 +178,11 @@ bool vs_scene_add_lamp(vs_scene *scene, const vs_scene_lamp *lamp); /* Adds a la
 bool vs_scene_add_note(vs_scene *scene, const vs_scene_note *note); /* Adds a note. Returns false when memory is out. */
 /* Adds a copy of a table. Returns false when memory is out. */
 bool vs_scene_add_table(vs_scene *scene, const vs_scene_table *table);
+/* Adds a row of texts below the table with this title, which the scene contains. Returns false when memory is out. */
+bool vs_scene_add_row(vs_scene *scene, const char *title, const char *const *cells);
+/* Adds an object that breaks a rule, unless an equal one is there, and retains its node. Returns false when memory is
+ * out. */
+bool vs_scene_add_fault(vs_scene *scene, vs_ref ref);
 /* Adds a pen, or replaces the pen of the same layer. Returns false when memory is out. */
 bool vs_scene_add_pen(vs_scene *scene, const vs_scene_pen *pen);
 /* Returns the pen of the layer, or NULL if the layer has no pen. */

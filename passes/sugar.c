@@ -102,14 +102,14 @@ static vs_node *sugar_strip(sugar_walk *w, vs_ref ref) {
 
 /* ---- the walk ---- */
 
-/* If a highlighted part is cut away, changes *placed so that its highlight becomes a thousandth smaller. Otherwise the
- * highlight's faces would coincide with those of the hole, and be partly hidden. */
-static bool sugar_shrink(const sugar_walk *w, const vs_node *n, vs_affine *placed) {
+/* Changes *placed so that n is scaled about its middle. A mark must not have the faces of its object, or of the hole in
+ * its place: where faces coincide, they hide each other in part. */
+static bool sugar_resize(const sugar_walk *w, const vs_node *n, double factor, vs_affine *placed) {
   vs_bounds b;
   if (!vs_node_bounds(n, &b, w->error)) return false;
   if (vs_bounds_is_empty(&b) || !isfinite(vs_bounds_diagonal(&b))) return true;
-  vs_affine smaller = vs_affine_scaling(vs_v3_scale(vs_v3_add(b.min, b.max), 0.5), vs_v3(0.999, 0.999, 0.999));
-  *placed = vs_affine_multiply(placed, &smaller);
+  vs_affine resized = vs_affine_scaling(vs_v3_scale(vs_v3_add(b.min, b.max), 0.5), vs_v3(factor, factor, factor));
+  *placed = vs_affine_multiply(placed, &resized);
   return true;
 }
 
@@ -132,8 +132,29 @@ static bool sugar_mark(sugar_walk *w, const sugar_level *at, bool ghost) {
   look.transparency = 0.7;
   look.ior = 1; /* the transparent material of highlights and ghosts does not bend light */
   const vs_material *m = vs_store_material(w->store, &look);
-  bool ok = (m || sugar_memory(w)) && (ghost || sugar_shrink(w, bare, &placed));
+  bool ok = (m || sugar_memory(w)) && (ghost || sugar_resize(w, bare, 0.999, &placed));
   if (ok) return sugar_found(w, sugar_around(w->store, bare, child.origin, m, &placed), at->ref.origin);
+  vs_node_release(bare);
+  return false;
+}
+
+/* Collects an object that breaks a rule: in red, and a thousandth larger, so that its faces cover those of the object
+ * in the drawing. */
+static bool sugar_fault(sugar_walk *w, vs_ref fault) {
+  vs_affine placed = vs_affine_identity();
+  vs_node *bare = sugar_strip(w, fault);
+  if (!bare) return false;
+  if (w->options->faults == VS_MARKS_KEEP) {
+    vs_node *kept = vs_node_new(w->store, VS_GHOST, NULL, &(vs_ref){ bare, fault.origin }, 1);
+    vs_node_release(bare);
+    return sugar_found(w, kept, fault.origin);
+  }
+  vs_material look = vs_material_of_color(.86, .1, .08);
+  look.transparency = 0.5;
+  look.ior = 1;
+  const vs_material *m = vs_store_material(w->store, &look);
+  if ((m || sugar_memory(w)) && sugar_resize(w, bare, 1.001, &placed))
+    return sugar_found(w, sugar_around(w->store, bare, fault.origin, m, &placed), fault.origin);
   vs_node_release(bare);
   return false;
 }
@@ -264,7 +285,8 @@ bool vs_scene_sugar(vs_scene *scene, const vs_sugar_options *options, vs_error *
   sugar_kinds kinds = { .options = options };
   bool sugar = false, ok = true;
   for (size_t i = 0; i < scene->drawn_count; i++) sugar |= (scene->drawn[i].node->flags & VS_NODE_SUGAR) != 0;
-  if (!sugar) return true;
+  bool faults = options->faults != VS_MARKS_DROP && scene->fault_count;
+  if (!sugar && !faults) return true;
   ok = sugar_look(&kinds, scene, e);
   if (ok && options->muted && kinds.native.node)
     vs_job_warn(options->job, kinds.native.origin,
@@ -276,9 +298,10 @@ bool vs_scene_sugar(vs_scene *scene, const vs_sugar_options *options, vs_error *
   }
   size_t before = scene->drawn_count;
   for (size_t i = 0; ok && i < before; i++) ok = sugar_below(&w, scene->drawn[i], false);
+  for (size_t i = 0; ok && faults && i < scene->fault_count; i++) ok = sugar_fault(&w, scene->faults[i]);
   vs_sugar_options all = *options;
   vs_rewrite r = { .store = scene->store, .error = e, .state = &all };
-  ok = ok && vs_rewrite_alone(&r, sugar_node, scene->drawn, before);
+  ok = ok && (!sugar || vs_rewrite_alone(&r, sugar_node, scene->drawn, before));
   for (size_t i = 0; ok && i < w.count; i++) ok = vs_scene_draw(scene, w.found[i]) || vs_error_memory(e, NULL);
   for (size_t i = 0; i < w.count; i++) vs_node_release(w.found[i].node);
   vs_store_realloc(w.store, w.found, w.found_room * sizeof *w.found, 0);

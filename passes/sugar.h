@@ -24,6 +24,7 @@ typedef enum {
 
 typedef struct {
   vs_mark_style highlights, ghosts;
+  vs_mark_style faults; /* how the format shows the scene's objects that break a rule; VS_MARKS_KEEP: as ghosts */
   const char *target; /* program of targets.def whose native text is written; NULL if no native text is written */
   const char *output; /* name of the format for messages, such as ".stl"; NULL: no warnings about native text without a
                        * replacement */
@@ -38,8 +39,8 @@ typedef struct {
 } vs_sugar_options;
 
 /* Removes ghosts, highlights, native texts and other nodes of level SUGAR from the scene's drawn array, which belongs
- * to the store. For a scene without such nodes it only examines each drawn object. Returns false, with e set, on
- * failure. */
+ * to the store, and adds the faults of the scene. For a scene without such nodes and faults it only examines each drawn
+ * object. Returns false, with e set, on failure. */
 bool vs_scene_sugar(vs_scene *scene, const vs_sugar_options *options, vs_error *e);
 
 #endif

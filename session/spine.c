@@ -193,6 +193,7 @@ static bool stage_collect(writing *j) {
   vs_scene *scene = &j->scene;
   *scene = s->bind.scene;
   scene->drawn = NULL, scene->drawn_count = scene->drawn_room = 0;
+  if (change) scene->fault_count = 0;
   if (!change && !show_nodes(j, &beside, &shown[0])) return false;
   bool returned = !change && vs_bind_finish(&s->bind);
   scene->tolerance = vs_bind_tolerance(s->bind.vm);

@@ -5,6 +5,7 @@
 #include "bind/measures.h"
 #include "bind/objects.h"
 #include "bind/origins.h"
+#include "bind/solids/design_rules.h"
 #include "bind/parameters.h"
 #include "bind/records.h"
 #include "bind/scene/node_natives.h"
@@ -582,6 +583,15 @@ const char *vs_report_get(const vs_scheme *vm, size_t index, double *value) {
   if (index >= b->report_count) return NULL;
   *value = b->reports[index].value;
   return b->reports[index].name;
+}
+
+bool vs_rule_get(const vs_scheme *vm, size_t index, vs_rule_info *out) {
+  const vs_bind *b = &vs_session_of(vm)->bind;
+  if (index >= b->design_rule_count) return false;
+  const vs_design_rule *r = &b->design_rules[index];
+  *out = (vs_rule_info){ .name = r->name, .condition = r->condition, .found = r->found, .shortfall = r->shortfall };
+  if (r->origin) out->at = (vs_span){ .file = r->origin->file, .line = r->origin->line, .column = r->origin->column };
+  return true;
 }
 
 /* ---- the drawing ---- */

@@ -22,6 +22,9 @@ typedef struct { unsigned line, placement; double height; vs_ifc_list elements; 
  * styled: whether its parts have their own materials. */
 typedef struct { unsigned map; vs_bounds bounds; bool styled; } ifc_map;
 
+/* The element that openings void: the line numbers of the element and of its placement, and the placement itself. */
+typedef struct { unsigned line, placement; vs_affine place; } ifc_host;
+
 typedef struct {
   unsigned last;          /* number of the last line written */
   unsigned things;        /* number of global ids written so far */
@@ -33,6 +36,8 @@ typedef struct {
   size_t storey_count, storey_room;
   ifc_map *maps;
   size_t map_count, map_room;
+  ifc_host host;          /* the last element that is no opening and fills none; line 0: none yet */
+  unsigned opening;       /* line number of the opening that the next window or door fills; 0: none */
   vs_nodemap shared;      /* maps a node to 1 + the index of its ifc_map */
   unsigned *styles;       /* styles[i]: line number of the surface style of material i; 0: not written yet */
   vs_ifc_list *painted;   /* painted[i]: list of the elements with material i */
@@ -363,24 +368,60 @@ static ifc_storey *storey_at(ifc *d, double z) {
   return &d->storeys[i];
 }
 
-/* Writes an element. shape: line number of its representation; place: its placement, which must not change sizes;
- * bounds: those of the placed shape. */
-static bool put_element(vs_emitter *e, const vs_ref *ref, unsigned shape, const vs_affine *place, vs_bounds bounds) {
-  ifc *d = state_of(e);
+static unsigned put_place(vs_emitter *e, unsigned within, const vs_affine *place) {
+  unsigned frame =
+      put_frame(e, vs_affine_column(place, 3), vs_affine_column(place, 2), vs_affine_column(place, 0));
+  return put_placement(e, within, frame);
+}
+
+/* Writes the line of an element. Returns its number. */
+static unsigned put_product(vs_emitter *e, vs_ifc_class class_, const char *name, unsigned placement, unsigned shape) {
   vs_writer *w = e->out;
-  vs_ifc_class class_ = vs_ifc_class_of(e->layer);
-  ifc_storey *s = storey_at(d, bounds.min.z + 0.1 * (bounds.max.z - bounds.min.z));
-  vs_vec3 at = vs_affine_column(place, 3);
-  at.z -= s->height;
-  unsigned frame = put_frame(e, at, vs_affine_column(place, 2), vs_affine_column(place, 0));
-  unsigned placement = put_placement(e, s->placement, frame), product = next_line(e);
+  unsigned product = next_line(e);
   vs_ifc_begin(w, product, "IFCPRODUCTDEFINITIONSHAPE");
   vs_putf(w, "$,$,(#%u)", shape);
   vs_ifc_end(w);
   unsigned element = begin_thing(e, class_.name);
-  vs_ifc_text(w, e->part != NULL ? e->part : e->layer != NULL ? e->layer : vs_kind_get((vs_kind)ref->node->kind)->name);
-  vs_putf(w, ",$,$,#%u,#%u,'%u',%s", placement, product, d->things, class_.attributes);
+  vs_ifc_text(w, name);
+  vs_putf(w, ",$,$,#%u,#%u,'%u',%s", placement, product, state_of(e)->things, class_.attributes);
   vs_ifc_end(w);
+  return element;
+}
+
+static void put_relation(vs_emitter *e, const char *name, unsigned whole, unsigned part) {
+  begin_thing(e, name);
+  vs_putf(e->out, "$,$,#%u,#%u", whole, part);
+  vs_ifc_end(e->out);
+}
+
+/* Writes an opening of the last element, of which it is a void. It belongs to no storey. */
+static bool put_opening(vs_emitter *e, vs_ifc_class class_, unsigned shape, const vs_affine *place) {
+  ifc *d = state_of(e);
+  vs_affine back, within;
+  if (!vs_affine_invert(&d->host.place, &back)) return true;
+  within = vs_affine_multiply(&back, place);
+  d->opening = put_product(e, class_, "opening", put_place(e, d->host.placement, &within), shape);
+  put_relation(e, "IFCRELVOIDSELEMENT", d->host.line, d->opening);
+  return true;
+}
+
+/* Writes an element. shape: line number of its representation; place: its placement, which must not change sizes;
+ * bounds: those of the placed shape. An opening belongs to the element before it, and a window or door to the opening
+ * before it. */
+static bool put_element(vs_emitter *e, const vs_ref *ref, unsigned shape, const vs_affine *place, vs_bounds bounds) {
+  ifc *d = state_of(e);
+  vs_ifc_class class_ = vs_ifc_class_of(e->layer);
+  if (vs_ifc_is_opening(class_) && d->host.line) return put_opening(e, class_, shape, place);
+  ifc_storey *s = storey_at(d, bounds.min.z + 0.1 * (bounds.max.z - bounds.min.z));
+  vs_affine within = *place;
+  within.m[2][3] -= s->height;
+  unsigned placement = put_place(e, s->placement, &within);
+  const char *name =
+      e->part != NULL ? e->part : e->layer != NULL ? e->layer : vs_kind_get((vs_kind)ref->node->kind)->name;
+  unsigned element = put_product(e, class_, name, placement, shape);
+  if (d->opening && vs_ifc_fills(class_)) put_relation(e, "IFCRELFILLSELEMENT", d->opening, element);
+  else d->host = (ifc_host){ element, placement, *place };
+  d->opening = 0;
   size_t paint = vs_emit_material_number(e, e->material);
   return vs_ifc_add(e, &s->elements, element) && (paint == 0 || vs_ifc_add(e, &d->painted[paint], element));
 }

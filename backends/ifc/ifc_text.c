@@ -103,3 +103,6 @@ vs_ifc_class vs_ifc_class_of(const char *layer) {
     if (has_word(layer, rows[i].words)) return rows[i].class_;
   return (vs_ifc_class){ "IFCBUILDINGELEMENTPROXY", "$" };
 }
+
+bool vs_ifc_is_opening(vs_ifc_class c) { return strcmp(c.name, "IFCOPENINGELEMENT") == 0; }
+bool vs_ifc_fills(vs_ifc_class c) { return strcmp(c.name, "IFCWINDOW") == 0 || strcmp(c.name, "IFCDOOR") == 0; }

@@ -25,5 +25,7 @@ void vs_ifc_id(vs_writer *w, const char *title, unsigned number);
  * the layer's name, or NULL. */
 typedef struct { const char *name, *attributes; } vs_ifc_class;
 vs_ifc_class vs_ifc_class_of(const char *layer);
+bool vs_ifc_is_opening(vs_ifc_class c); /* Returns true if elements of this class are holes of other elements. */
+bool vs_ifc_fills(vs_ifc_class c);      /* Returns true if elements of this class can fill an opening. */
 
 #endif

@@ -121,3 +121,12 @@ bool cli_is_png_or_folder(const char *path) {
   const char *ending = cli_ending_of(path);
   return !ending || strcmp(ending, ".png") == 0 || path[strlen(path) - 1] == '/';
 }
+
+bool cli_path_with(const char *path, const char *word, char name[CLI_PATH_ROOM]) {
+  const char *dot = strrchr(path, '.'), *slash = strrchr(path, '/');
+  size_t stem = dot && (!slash || dot > slash) ? (size_t)(dot - path) : strlen(path);
+  int length = snprintf(name, CLI_PATH_ROOM, "%.*s-%s%s", (int)stem, path, word, path + stem);
+  if (length > 0 && length < CLI_PATH_ROOM) return true;
+  fprintf(stderr, "vs: %s: the name is too long\n", path);
+  return false;
+}

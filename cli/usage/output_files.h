@@ -9,6 +9,10 @@ const char *cli_ending_of(const char *path);
 /* Returns c, or a hyphen if c is a control character, a slash or a character with a meaning for a shell. first: c
  * begins the name of a file. A dot or a hyphen then also becomes a hyphen. */
 char cli_file_letter(char c, bool first);
+enum { CLI_PATH_ROOM = 4096 };
+/* Writes the path with a hyphen and a word before its ending, such as a-street.png for a.png. Returns false, after a
+ * message, if the path is too long. */
+bool cli_path_with(const char *path, const char *word, char name[CLI_PATH_ROOM]);
 /* Returns the path without its folders. */
 const char *cli_file_name(const char *path);
 /* Returns true if the path ends in .png or has no suffix. A path without suffix is a folder for .png pictures. */

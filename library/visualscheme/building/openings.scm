@@ -42,14 +42,15 @@
 (define (door w place [width any? 0.9] [height any? 2.1] #:sill [sill any? 0] #:fill [fill any? "door"])
   (with-opening 'door 'door w place width height sill fill))
 
-; Returns the solid that an opening cuts out of all layers: it follows the path between its jambs.
-(define (hole-cutter d h)
+; Returns the corners in plan of what an opening cuts out of all layers: it follows the path between its jambs, beyond the faces.
+(define (hole-outline d h)
   (let* ((thick (- (last (walling-offsets d)) (first (walling-offsets d)))) (over (/ thick 8))
          (points (without-short-ends thick (part-of (walling-points d) (- (hole-at h) (/ (hole-width h) 2)) (+ (hole-at h) (/ (hole-width h) 2)))))
-         (bottom (+ (walling-base d) (hole-sill h)))
          (side (lambda (o) (points-aside 'opening points #f o))))
-    (area-solid (list (append (side (- (first (walling-offsets d)) over)) (reverse (side (+ (last (walling-offsets d)) over)))))
-      bottom (+ bottom (hole-height h)))))
+    (append (side (- (first (walling-offsets d)) over)) (reverse (side (+ (last (walling-offsets d)) over))))))
+
+(define (hole-cutter d h)
+  (let ((bottom (+ (walling-base d) (hole-sill h)))) (area-solid (list (hole-outline d h)) bottom (+ bottom (hole-height h)))))
 
 ; Returns points without corners so near an end that an offset of d would turn the path back there.
 (define (without-short-ends d points)

@@ -2,13 +2,30 @@
 ; cotangent of its pitch for each unit of height. The edge of a gable does not move.
 
 (define (loops-of who outline)
-  (let ((loops (if (and (pair? outline) (point? (car outline))) (list outline) outline)))
+  (define (open-loop l) (if (and (list? l) (pair? l) (every point? l) (pair? (cdr l)) (meet? (car l) (last l))) (drop-right l 1) l))
+  (let ((loops (if (and (pair? outline) (point? (car outline))) (list (open-loop outline)) (if (list? outline) (map open-loop outline) outline))))
     (if (not (and (pair? loops) (list? loops) (every (lambda (l) (and (list? l) (every point? l) (> (length l) 2))) loops)))
         (error who "outline must be a list of three points or more, or a list of such lists, got ~s" outline))
     (let ((z (cz (caar loops))))
       (if (not (every (lambda (l) (every (lambda (p) (near? (cz p) z)) l)) loops))
           (error who "the points of outline must have one height, got ~s" outline)))
+    (check-uncrossed who loops)
     loops))
+
+; Fails if an edge of the loops crosses another one; loops may touch. Edges in order of their least X: only those that overlap in X are compared.
+(define (check-uncrossed who loops)
+  (define (compare e f)
+    (let ((x (segments-cross (first e) (second e) (first f) (second f) 0)))
+      (if (and x (< 1e-9 (first x) (- 1 1e-9)) (< 1e-9 (second x) (- 1 1e-9)))
+          (error who "~a at ~s" (if (eq? (third e) (third f)) "the outline crosses itself" "two loops of the outline cross") (third x)))))
+  (define (low e) (min (cx (first e)) (cx (second e))))
+  (define (high e) (max (cx (first e)) (cx (second e))))
+  (let each ((edges (sort (append-map (lambda (l) (map (lambda (p q) (list p q l)) l (append (cdr l) (list (car l))))) loops) < #:key low)))
+    (if (pair? edges)
+        (let ((e (car edges)))
+          (let next ((l (cdr edges)))
+            (if (and (pair? l) (<= (low (car l)) (high e))) (begin (compare e (car l)) (next (cdr l)))))
+          (each (cdr edges))))))
 
 ; Returns the pitch of each of n edges, #f for a gable.
 (define (pitches-of who pitch gables n)

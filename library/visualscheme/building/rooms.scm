@@ -1,9 +1,13 @@
 ; Rooms: what walls enclose in plan.
 
-(define-record-type space (make-space name loops height base doors) space?
-  (name space-name) (loops space-loops) (height space-height) (base space-base) (doors space-doors))
+(define-record-type space (make-space name loops height base gaps) space?
+  (name space-name) (loops space-loops) (height space-height) (base space-base) (gaps space-gaps))
+; An opening between two rooms: the names of those on the wall's right and left, #f outside. at: its middle; outline: its
+; corners in plan, beyond the faces of the wall.
+(define-record-type gap (make-gap way? right left width area at outline) gap?
+  (way? gap-way?) (right gap-right) (left gap-left) (width gap-width) (area gap-area) (at gap-at) (outline gap-outline))
 (define (room? x) (space? x))
-(define (space-of who r) (if (space? r) r (error who "room must be a room, as rooms returns it, got ~s" r)))
+(define (space-of who r) (if (space? r) (note-asked r) (error who "room must be a room, as rooms returns it, got ~s" r)))
 
 ; Returns the loops of the ground that all walls cover, each with whether it is the edge of a room. Loops of less than a
 ; thousandth of a square unit are dropped: they come from rounding at joints.
@@ -34,22 +38,30 @@
         (if (not (and (list? n) (= (length n) 2) (point? (second n)))) (error 'rooms "names must be lists of a name and a point, got ~s" n))
         (if (not (any (lambda (l) (in? (second n) l)) sorted)) (error 'rooms "no walls enclose ~s, the place of ~s" (second n) (first n))))
       names)
+    (for-each
+      (lambda (l)
+        (let ((own (filter (lambda (n) (in? (second n) l)) names)))
+          (if (and (pair? own) (pair? (cdr own)))
+              (error 'rooms "~s and ~s name one room: walls with a gap, or none, are between ~s and ~s" (first (first own)) (first (second own))
+                (second (first own)) (second (second own))))))
+      sorted)
     (let* ((name-of (lambda (l i) (let ((n (find (lambda (n) (in? (second n) l)) names))) (if n (first n) i))))
            (named (map (lambda (l i) (cons l (name-of l i))) sorted (iota (length sorted) 1)))
            (at (lambda (p) (let ((found (find (lambda (r) (in? p (car r))) named))) (and found (cdr found)))))
-           (doors (append-map (lambda (d) (map (lambda (h) (door-sides d h at)) (filter passage? (walling-openings d)))) data)))
+           (gaps (append-map (lambda (d) (map (lambda (h) (gap-of d h at)) (walling-openings d))) data)))
       (map (lambda (r)
              (make-space (cdr r) (cons (car r) (holes-of (car r))) (- top base) base
-               (filter (lambda (door) (or (equal? (first door) (cdr r)) (equal? (second door) (cdr r)))) doors)))
+               (filter (lambda (g) (or (equal? (gap-right g) (cdr r)) (equal? (gap-left g) (cdr r)))) gaps)))
         named))))
 
 (define (passage? h) (or (eq? (hole-kind h) 'door) (and (eq? (hole-kind h) 'opening) (= (hole-sill h) 0))))
 
-; Returns the names of what lies on the right and on the left of a door, #f outside, and its width.
-(define (door-sides d h at)
+; Returns the opening as it divides rooms; at: a procedure that returns the name of the room at a point.
+(define (gap-of d h at)
   (call-with-values (lambda () (place-along (walling-points d) (hole-at h)))
     (lambda (p v)
-      (list (at (aside p v (- (first (walling-offsets d)) 0.05))) (at (aside p v (+ (last (walling-offsets d)) 0.05))) (hole-width h)))))
+      (make-gap (passage? h) (at (aside p v (- (first (walling-offsets d)) 0.05))) (at (aside p v (+ (last (walling-offsets d)) 0.05)))
+        (hole-width h) (* (hole-width h) (hole-height h)) p (hole-outline d h)))))
 
 (define (room-name r) (space-name (space-of 'room-name r)))
 (define (room-area r)
@@ -60,17 +72,47 @@
 (define (room-region r)
   (apply make-region (map (lambda (l) (make-polygon (map (lambda (p) (xyz (cx p) (cy p) (space-base r))) l))) (space-loops (space-of 'room-region r)))))
 (define (room-solid r) (do-extrude (room-region r) (room-height r)))
-(define (room-doors r) (space-doors (space-of 'room-doors r)))
+(define (room-doors r) (map door-row (filter gap-way? (space-gaps (space-of 'room-doors r)))))
+(define (door-row g) (list (gap-right g) (gap-left g) (gap-width g)))
 
 ; Returns the doors between rooms, each once: the names on both sides and the width.
-(define (room-graph rooms) (delete-duplicates (append-map room-doors (rooms-of 'room-graph rooms)) eq?))
-(define (rooms-of who l) (if (list? l) l (error who "rooms must be a list of rooms, as rooms returns it, got ~s" l)))
+(define (room-graph rooms) (map door-row (filter gap-way? (all-gaps (rooms-of 'room-graph rooms)))))
+(define (all-gaps rooms) (delete-duplicates (append-map space-gaps rooms) eq?))
+(define (rooms-of who l) (if (and (list? l) (every space? l)) l (error who "rooms must be a list of rooms, as rooms returns it, got ~s" l)))
+
+; Returns the loops of the outer faces of walls.
+(define (outer-loops data)
+  (let ((outer (map cdr (remove car (covered-loops data)))))
+    (filter (lambda (l) (not (any (lambda (o) (and (not (eq? o l)) (inside? (inner-point l) o))) outer))) outer)))
 
 ; Returns the area within the outer faces of the walls.
 (define (gross-area walls)
-  (let ((loops (covered-loops (map (lambda (w) (data-of 'gross-area w)) (flatten (list walls))))))
-    (apply + (map (lambda (l) (/ (abs (turn (cdr l))) 2))
-               (filter (lambda (l) (and (not (car l)) (not (any (lambda (o) (and (not (eq? o l)) (not (car o)) (inside? (inner-point (cdr l)) (cdr o)))) loops)))) loops)))))
+  (apply + (map (lambda (l) (/ (abs (turn l)) 2)) (outer-loops (map (lambda (w) (data-of 'gross-area w)) (flatten (list walls)))))))
+
+; Returns the outline of the outer faces at a height, by default the highest top of the walls: points, or a list of outlines of
+; separate walls.
+(define (outer-outline walls #:height [height any? #f])
+  (if height (check-number 'outer-outline "height" height))
+  (let* ((data (map (lambda (w) (data-of 'outer-outline w)) (flatten (list walls))))
+         (top (or height (apply max 0 (map (lambda (d) (+ (walling-base d) (walling-height d))) data))))
+         (made (map (lambda (l) (map (lambda (p) (xyz (cx p) (cy p) top)) (from-lower-left (without-flat-corners l)))) (outer-loops data))))
+    (cond ((null? made) (error 'outer-outline "walls must be one wall or more, got ()"))
+          ((null? (cdr made)) (car made))
+          (else made))))
+
+(define flat-corner 1e-5) ; a corner nearer than this to the line between its neighbours, or to a neighbour, is none
+
+; Returns the loop counter-clockwise without corners on the lines between their neighbours, and without slits.
+(define (without-flat-corners loop)
+  (define (flat? before p after)
+    (or (< (distance before p) flat-corner) (< (distance before after) flat-corner)
+        (< (abs (cross-2d (way before after) (p->q before p))) flat-corner)))
+  (let again ((l (if (> (turn loop) 0) loop (reverse loop))))
+    (let ((k (list-index (lambda (before p after) (flat? before p after)) (cons (last l) (drop-right l 1)) l (append (cdr l) (list (car l))))))
+      (if (and k (> (length l) 3)) (again (append (take l k) (drop l (+ k 1)))) l))))
+
+(define (from-lower-left l)
+  (let ((k (argmin (lambda (i) (let ((p (list-ref l i))) (+ (cy p) (* 1e-3 (cx p))))) (iota (length l))))) (append (drop l k) (take l k))))
 
 ; Writes name and area of each room into the drawing's views, where the room is widest.
 (define (label-rooms rooms #:view [view any? #f])

@@ -17,6 +17,7 @@
 (define (slab outline #:layers [layers any? 0.2] #:holes [holes any? '()])
   (let* ((layers (layers-of 'slab layers))
          (loops (append (outline-loops 'slab outline) (if (null? holes) '() (outline-loops 'slab holes)))) (top (cz (caar loops))))
+    (check-uncrossed 'slab loops)
     (element "slab"
       (unite (map (lambda (l down) (in-material (second l) (area-solid loops (- top down (first l)) (- top down))))
                layers (drop-right (sums 0 (map first layers)) 1))))))

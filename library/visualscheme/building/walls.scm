@@ -69,7 +69,7 @@
 (define (drawn-wall data) (wall-object data))
 (define (wall? x) (wall-object? x))
 (define (data-of who w)
-  (if (wall-object? w) (wall-object-data w) (error who "wall must be a wall, as wall or join-walls return it, got ~s" w)))
+  (if (wall-object? w) (wall-object-data (note-asked w)) (error who "wall must be a wall, as wall or join-walls return it, got ~s" w)))
 
 (define (area-solid loops bottom top)
   (do-extrude (apply make-region (map (lambda (l) (make-polygon (map (lambda (p) (xyz (cx p) (cy p) bottom)) l))) loops)) (- top bottom)))

@@ -37,6 +37,15 @@
 (define-syntax fails (syntax-rules () ((_ e) (displayln (guard (x (#t (error-object-message x))) e "accepted")))))
 (fails (roof ell #:pitch (/ pi 2)))                   ; expect: roof: pitch must be radians between 0 and pi/2, or a list of them, got 1.5707963267948966; (degrees->radians 35) is 35 degrees
 (fails (roof ell #:pitch 0))                    ; expect: roof: pitch must be radians between 0 and pi/2, or a list of them, got 0; (degrees->radians 35) is 35 degrees
+(for-each (lambda (p) (fails (roof box #:pitch p)) (fails (roof-faces box #:pitch p))) (list 0 pi/2 0. (degrees->radians 90)))
+; expect: roof: pitch must be radians between 0 and pi/2, or a list of them, got 0; (degrees->radians 35) is 35 degrees
+; expect: roof-faces: pitch must be radians between 0 and pi/2, or a list of them, got 0; (degrees->radians 35) is 35 degrees
+; expect: roof: pitch must be radians between 0 and pi/2, or a list of them, got 1.5707963267948966; (degrees->radians 35) is 35 degrees
+; expect: roof-faces: pitch must be radians between 0 and pi/2, or a list of them, got 1.5707963267948966; (degrees->radians 35) is 35 degrees
+; expect: roof: pitch must be radians between 0 and pi/2, or a list of them, got 0.0; (degrees->radians 35) is 35 degrees
+; expect: roof-faces: pitch must be radians between 0 and pi/2, or a list of them, got 0.0; (degrees->radians 35) is 35 degrees
+; expect: roof: pitch must be radians between 0 and pi/2, or a list of them, got 1.5707963267948966; (degrees->radians 35) is 35 degrees
+; expect: roof-faces: pitch must be radians between 0 and pi/2, or a list of them, got 1.5707963267948966; (degrees->radians 35) is 35 degrees
 (fails (roof ell #:pitch (map degrees->radians '(30 40))))           ; expect: roof: pitch must be 6 numbers, one for each edge, got 2
 (fails (roof box #:gables '(5)))              ; expect: roof: gables must be numbers of edges from 1 to 4, got (5)
 (fails (roof box #:gables '(1 2 3 4)))        ; expect: straight-skeleton: the edges never meet: more edges must move inwards
@@ -44,6 +53,9 @@
 (fails (roof box #:thickness 0))              ; expect: roof: thickness must be a positive number, got 0
 (fails (roof 3))                              ; expect: roof: outline must be a list of three points or more, or a list of such lists, got 3
 (fails (roof (list (xy 0 0) (xyz 4 4 1) (xy 4 0)))) ; expect: roof: the points of outline must have one height, got ((xyz 0 0 0) (xyz 4 4 1) (xyz 4 0 0))
-(fails (roof (list (xy 0 0) (xy 4 4) (xy 4 0) (xy 0 4)))) ; expect: straight-skeleton: the outline crosses or touches itself: see the edges that begin at (xy 0 0) and (xy 4 0)
+(fails (roof (list (xy 0 0) (xy 4 4) (xy 4 0) (xy 0 4)))) ; expect: roof: the outline crosses itself at (xyz 2 2 0)
+(fails (roof-faces (list (xyz 0 0 3) (xyz 4 4 3) (xyz 4 0 3) (xyz 0 4 3)))) ; expect: roof-faces: the outline crosses itself at (xyz 2 2 3)
+(fails (roof (list (list (xy 0 0) (xy 6 0) (xy 6 4) (xy 0 4)) (list (xy 1 1) (xy 7 1) (xy 7 2) (xy 1 2))))) ; expect: roof: two loops of the outline cross at (xyz 6 1 0)
+(displayln (near? (volume (roof (list (xy 0 0) (xy 6 0) (xy 6 4) (xy 0 4) (xy 0 0)) #:pitch pi/4)) 56/3)) ; expect: #t
 (fails (roof (list box court) #:overhang 1))  ; expect: roof: the overhang closes the outline at (xyz 2.5 1.5 0): make it less
 (fails (roof stepped #:pitch (map degrees->radians '(30 45 45 45 45)))) ; expect: roof: parallel edges of unequal pitch make a vertical step, which has no solid: give them one pitch, or use roof-faces

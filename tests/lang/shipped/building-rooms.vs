@@ -1,6 +1,7 @@
 ; (visualscheme building): rooms, their areas by closed forms, and doors between them
 (import (visualscheme) (visualscheme building))
 (define (plan . walls) (join-walls walls))
+(define (turn-of l) (apply + (map (lambda (a b) (- (* (cx a) (cy b)) (* (cx b) (cy a)))) l (append (cdr l) (list (car l))))))
 (define shell (wall (make-rectangle (xy 0 0) (xy 8 5)) #:height 3 #:layers '((0.3 brick) (0.1 plaster))))
 (define across (wall (list (xy 5 0) (xy 5 5)) #:height 3 #:layers 0.2))
 (define one (first (rooms shell)))
@@ -30,10 +31,19 @@
 (displayln (let ((all (rooms star))) (list (length all) (every (lambda (r) (near? (room-area r) (room-area (first all)) 1e-9)) all)))) ; expect: (7 #t)
 (displayln (length (rooms (plan (wall (make-arc origin 3 0 pi)) (wall (list (xy -3 0) (xy 3 0))) (wall (list (xy 0 0) (xy 0 3))))))) ; expect: 2
 
+; the outline of the outer faces: without the corners of joints on straight walls, from the lower left
+(displayln (let ((o (outer-outline (plan shell across)))) (list (length o) (near? (first o) (xyz -0.2 -0.2 3)) (near? (third o) (xyz 8.2 5.2 3)) (cz (first (outer-outline shell #:height 1))) (> (turn-of o) 0)))) ; expect: (4 #t #t 1.0 #t)
+(define (layered . points) (wall points #:layers '((0.115 brick) (0.14 insulation) (0.175 block) (0.015 plaster)))) ; no slit at the joint
+(displayln (length (outer-outline (plan (layered (xy 0 0) (xy 12 0) (xy 12 8) (xy 0 8) (xy 0 0)) (wall (list (xy 7 0) (xy 7 8)) #:layers '((0.015 plaster) (0.115 block) (0.015 plaster))))))) ; expect: 4
+(displayln (length (outer-outline (list shell (wall (make-rectangle (xy 20 0) (xy 24 3))))))) ; expect: 2
+(displayln (near? (volume (roof (outer-outline shell) #:pitch pi/4)) (let ((w 5.4) (l 8.4)) (+ (/ (* w w (- l w)) 4) (/ (expt w 3) 6))) 1e-9)) ; expect: #t
+
 (define-syntax fails (syntax-rules () ((_ e) (displayln (guard (x (#t (error-object-message x))) e "accepted")))))
 (fails (rooms 3))                                       ; expect: rooms: wall must be a wall, as wall or join-walls return it, got 3
 (fails (rooms shell #:names '("bath")))                 ; expect: rooms: names must be lists of a name and a point, got "bath"
 (fails (rooms shell #:names (list (list "a" (xy 9 9))))) ; expect: rooms: no walls enclose (xyz 9 9 0), the place of "a"
+(fails (rooms shell #:names (list (list "a" (xy 1 1)) (list "b" (xy 2 2))))) ; expect: rooms: "a" and "b" name one room: walls with a gap, or none, are between (xyz 1 1 0) and (xyz 2 2 0)
+(fails (outer-outline '()))                             ; expect: outer-outline: walls must be one wall or more, got ()
 (fails (room-area 3))                                   ; expect: room-area: room must be a room, as rooms returns it, got 3
 (fails (rooms shell #:names 3))                         ; expect: rooms: names must be lists of a name and a point, got 3
 (fails (room-graph 3))                                  ; expect: room-graph: rooms must be a list of rooms, as rooms returns it, got 3

@@ -36,6 +36,9 @@
 
 (define-syntax fails (syntax-rules () ((_ e) (displayln (guard (x (#t (error-object-message x))) e "accepted")))))
 (fails (slab 3))                                     ; expect: slab: outline must be points or a closed curve, or a list of these, got 3
+(fails (slab (list (xyz 0 0 3) (xyz 4 4 3) (xyz 4 0 3) (xyz 0 4 3)))) ; expect: slab: the outline crosses itself at (xyz 2 2 3)
+(fails (slab (make-rectangle origin (xy 6 4)) #:holes (make-rectangle (xy 5 1) (xy 7 2)))) ; expect: slab: two loops of the outline cross at (xyz 6 2 0)
+(displayln (near? (volume (slab (make-rectangle origin (xy 6 4)) #:layers 1 #:holes (make-rectangle (xy 0 1) (xy 2 2)))) 22)) ; expect: #t
 (fails (slab (make-line origin (xy 3 0))))           ; expect: slab: the outline must be closed, got (make-line (list (xyz 0 0 0) (xyz 3 0 0)))
 (fails (slab (list (xy 0 0) (xyz 4 0 1) (xy 4 4))))  ; expect: slab: the points of outline must have one height, got (((xyz 0 0 0) (xyz 4 0 1) (xyz 4 4 0)))
 (fails (column 3))                                   ; expect: column: place must be a point, got 3

@@ -1,0 +1,22 @@
+/* Declares the rules of a design, which (require-that ...) of the library (visualscheme building) has tested. */
+#ifndef VS_BIND_SOLIDS_DESIGN_RULES_H
+#define VS_BIND_SOLIDS_DESIGN_RULES_H
+
+#include <stdbool.h>
+
+#include "model/node.h"
+
+typedef struct vs_bind vs_bind;
+
+/* A tested rule. The store owns the texts. shortfall: 0 if the rule is met; otherwise the relative distance of a value
+ * from its bound, or 1 without numbers. */
+typedef struct vs_design_rule {
+  const char *name, *condition, *found;
+  double shortfall;
+  const vs_origin *origin;
+} vs_design_rule;
+
+/* Keeps a copy of the rule for the host (state.c). Returns false when memory is out. */
+bool vs_bind_keep_rule(vs_bind *b, const vs_design_rule *rule);
+
+#endif
