@@ -18,25 +18,15 @@
     (inside (xy 3.6 0) (xy 3.6 4)) (inside (xy 4.6 4) (xy 4.6 7)) (inside (xy 9 4) (xy 9 7))))
 (define storey (rooms walls #:names (list (list "Bedroom" (xy 2 2)) (list "Living" (xy 7 2)) (list "Hall" (xy 2 6)) (list "Kitchen" (xy 6 6)))))
 
-; the roof: its eaves follow the outside of the walls
-(define half 0.2225)
-(define eaves (append (list (xy (- half) (- half)) (xy 9 (- half)))
-                      (cdr (map-division (lambda (a) (+pol (xy 9 3.5) (+ 3.5 half) a)) -pi/2 pi/2 12))
-                      (list (xy (- half) (+ 7 half)))))
-(define slope (degrees->radians 38))
-(define (raised points z) (map (lambda (p) (+z p z)) points))
-(define hipped (roof (raised eaves 2.8) #:pitch slope #:overhang 0.4 #:thickness 0.2))
-(define attic (roof (raised eaves 2.8) #:pitch slope))
-
-; the dormer: a small house with a gable, cut by the roof's planes
-(define cheeks (subtract (make-box (xyz 3.6 0.6 2.7) (xyz 5.4 3 4.4)) (make-box (xyz 3.75 0.5 2.7) (xyz 5.25 3.1 4.4)) attic))
-(define front (subtract (make-box (xyz 3.6 0.6 2.7) (xyz 5.4 0.75 4.4)) (make-box (xyz 4 0 3.5) (xyz 5 1 4.3)) attic))
-(define cap (roof (list (xyz 3.6 0.6 4.4) (xyz 5.4 0.6 4.4) (xyz 5.4 4.6 4.4) (xyz 3.6 4.6 4.4)) #:pitch slope #:gables '(1 3) #:overhang 0.15))
+; the roof over the outside of the walls, with a dormer
+(define eaves (outer-outline walls))
+(define hipped
+  (roof eaves #:pitch (degrees->radians 38) #:overhang 0.4 #:thickness 0.2
+    #:dormers (dormer 1 4.7 1.8 #:height 1.5 #:setback 0.8)))
 
 (draw walls
-      (with-material 'concrete (slab (raised eaves 0) #:layers 0.25))
-      (color "firebrick" (subtract hipped (make-box (xyz 3.75 0.75 2.7) (xyz 5.25 2.6 4.4))) (subtract cap attic))
-      (color "ivory" cheeks front))
+      (with-material 'concrete (slab (outer-outline walls #:height 0) #:layers 0.25))
+      (color "firebrick" hipped))
 (draw (do-move (prefab "person") (vxyz 8 -2.5 -0.25)))
 (ground -0.25 #:material 'grass)
 (camera (xyz 19 -9 6) (xyz 6.5 2.6 1.6) #:lens 35)
