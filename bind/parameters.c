@@ -12,6 +12,7 @@
 #include "bind/call/take.h"
 #include "bind/print.h"
 #include "bind/records.h"
+#include "bind/solids/design_rules.h"
 #include "bind/state.h"
 #include "vm/front/reader.h"
 #include "vm/machine/activation.h"
@@ -279,4 +280,11 @@ vs_status vs_p_report(vs_args *f, vs_value *out) {
   if (i == b->report_count) b->report_count++;
   b->reports[i] = (vs_bind_report){ name, f->arg[1].real };
   return *out = f->arg[1].value, VS_OK;
+}
+
+bool vs_bind_keep_rule(vs_bind *b, const vs_design_rule *rule) {
+  if (!vs_store_grow(b->store, &b->design_rules, &b->design_rule_room, b->design_rule_count + 1, sizeof *rule))
+    return false;
+  b->design_rules[b->design_rule_count++] = *rule;
+  return true;
 }

@@ -31,4 +31,8 @@ typedef struct vs_bind_report { const char *name; double value; } vs_bind_report
  * out. */
 bool vs_bind_set_parameter(vs_bind *b, const char *name, const char *datum);
 
+struct vs_design_rule;
+/* Keeps a copy of the rule for the host. Returns false when memory is out. */
+bool vs_bind_keep_rule(struct vs_bind *b, const struct vs_design_rule *rule);
+
 #endif

@@ -41,13 +41,6 @@ static void forget_returned(vs_bind *b) {
   b->drawn_last = b->drawn_away = NULL;
 }
 
-bool vs_bind_keep_rule(vs_bind *b, const vs_design_rule *rule) {
-  if (!vs_store_grow(b->store, &b->design_rules, &b->design_rule_room, b->design_rule_count + 1, sizeof *rule))
-    return false;
-  b->design_rules[b->design_rule_count++] = *rule;
-  return true;
-}
-
 /* Frees the data that belong to one run of a program. */
 static void forget_run(vs_bind *b) {
   vs_store *s = b->store;

@@ -7,6 +7,7 @@
 #include "bind/call/context.h"
 #include "bind/call/positional.h"
 #include "bind/origins.h"
+#include "bind/parameters.h"
 #include "bind/warnings.h"
 #include "vm/machine/fail.h"
 

@@ -2,11 +2,7 @@
 #ifndef VS_BIND_SOLIDS_DESIGN_RULES_H
 #define VS_BIND_SOLIDS_DESIGN_RULES_H
 
-#include <stdbool.h>
-
 #include "model/node.h"
-
-typedef struct vs_bind vs_bind;
 
 /* A tested rule. The store owns the texts. shortfall: 0 if the rule is met; otherwise the relative distance of a value
  * from its bound, or 1 without numbers. */
@@ -15,8 +11,5 @@ typedef struct vs_design_rule {
   double shortfall;
   const vs_origin *origin;
 } vs_design_rule;
-
-/* Keeps a copy of the rule for the host (state.c). Returns false when memory is out. */
-bool vs_bind_keep_rule(vs_bind *b, const vs_design_rule *rule);
 
 #endif
