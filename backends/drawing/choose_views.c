@@ -56,7 +56,7 @@ static bool has_drawing_view(const vs_scene *scene) {
 }
 
 /* Warns if the end of the file's name is the name of a view in other models, but this model has no such view. If the
- * model has views for drawings, warns of every name that names none. */
+ * model has views for drawings, and none is the plan, warns of every name that names none. */
 static void warn_of_name(const vs_emitter *e, const char *base) {
   static const char *const words[] = { "north", "south", "east", "west", "roof", "floor", "ground", "side", "rear",
                                        "perspective", "axonometry", "elevations", "sections", "views" };
@@ -64,7 +64,8 @@ static void warn_of_name(const vs_emitter *e, const char *base) {
   char message[300];
   for (const char *at = base; *at; at++)
     if (strchr("-_. ", *at) && at[1]) last = at + 1;
-  bool view = has_drawing_view(e->scene) || (last > base && e->scene->view_count > 0);
+  bool view = last > base && e->scene->view_count > 0;
+  view = view || (has_drawing_view(e->scene) && !vs_scene_find_view(e->scene, "plan"));
   for (size_t i = 0; i < sizeof words / sizeof *words; i++) view = view || strcmp(last, words[i]) == 0;
   if (!view) return;
   snprintf(message, sizeof message,
