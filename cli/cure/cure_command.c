@@ -240,7 +240,11 @@ static vs_outcome write_outputs(const cure *u, const char *which) {
     const cli_target *t = &c->options->targets[i];
     char path[CLI_PATH_ROOM];
     if (!cli_path_with(t->path, which, path)) return VS_OUTCOME_USAGE;
-    outcome = vs_is_input(c->scheme, path) ? VS_OUTCOME_USAGE : u->write(c, &(cli_target){ path, t->format });
+    if (vs_is_input(c->scheme, path)) {
+      fprintf(stderr, "vs cure: %s: the model reads this file; name another file by -o\n", path);
+      return VS_OUTCOME_USAGE;
+    }
+    outcome = u->write(c, &(cli_target){ path, t->format });
   }
   return outcome;
 }
@@ -277,7 +281,7 @@ static vs_outcome find_cure(cure *u, score first) {
   }
   if (!going(u)) return VS_OUTCOME_INTERRUPTED;
   if (now.broken) {
-    printf("%s: no values within the ranges of its parameters meet all rules; the best values break %zu\n", file,
+    printf("%s: none of the tried values of its parameters meets all rules; the best values break %zu\n", file,
            now.broken);
     return VS_OUTCOME_MODEL;
   }

@@ -28,8 +28,9 @@ static char *line_of(const cure_place *p) {
 /* Returns the end of the number, string or other atom at `from`; `from` itself for an expression. */
 static const char *atom_end(const char *from) {
   if (*from == '"') {
-    const char *end = strchr(from + 1, '"');
-    return end ? end + 1 : from;
+    const char *end = from + 1;
+    while (*end && *end != '"') end += *end == '\\' && end[1] ? 2 : 1;
+    return *end ? end + 1 : from;
   }
   return from + strcspn(from, " \t()\"'`;[]");
 }
@@ -40,8 +41,9 @@ void cure_print_edit(const cure_place *p, const char *name, const char *value) {
   size_t n = strlen(name);
   while (at && (at = strstr(at, form)) != NULL) {
     at += strlen(form);
+    if (strncmp(at, name, n)) continue;
     char *from = at + n + strspn(at + n, " \t");
-    if (strncmp(at, name, n) || from == at + n) continue;
+    if (from == at + n) continue;
     const char *end = atom_end(from);
     if (end == from) break;
     bool text = *from == '"' && *value != '"';
