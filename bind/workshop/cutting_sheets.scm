@@ -62,14 +62,19 @@
           (reverse made)
           (loop (cdr l) (+ at (if (null? (cdr l)) 0 (distance (car l) (cadr l)))) (cons (cons (car l) at) made))))))
 
+; Returns the parts in a list and in the lists within it, down to n levels. Deeper lists stay, and no caller takes them:
+; a list that contains itself is deeper than any n.
+(define (%parts-within l n)
+  (append-map (lambda (x) (if (and (list? x) (> n 0)) (%parts-within x (- n 1)) (list x))) l))
+
 ; Returns the curves of a part, or of a list of parts, in the order in which a laser cuts: what is engraved, then for each
 ; part inner borders, then outer borders.
 (define (cut-lines part #:kerf [kerf any? 0] #:tabs [tabs any? #f])
-  (if (not (or (object? part) (and (list? part) (every object? (flatten part)))))
+  (if (not (or (object? part) (and (list? part) (every object? (%parts-within part 8)))))
       (error 'cut-lines "part must be an object or a list of objects, got ~s" part))
   (%need-kerf 'cut-lines kerf)
   (%need-tabs 'cut-lines tabs)
-  (let ((made (map (lambda (p) (%cut-lines p kerf tabs)) (if (list? part) (flatten part) (list part)))))
+  (let ((made (map (lambda (p) (%cut-lines p kerf tabs)) (if (list? part) (%parts-within part 8) (list part)))))
     (append (append-map car made) (append-map cdr made))))
 
 ; Returns a pair of lists: the curves of a part that are engraved, and the borders, inner ones first.
@@ -133,7 +138,7 @@
 ; Returns sheets, each a list of the parts that are placed on it, with all that lies on them.
 (define (pack-parts parts #:sheet sheet #:gap [gap any? 0] #:margin [margin any? 0] #:turn [turn any? 'any]
                     #:count [count any? 1] #:kerf [kerf any? 0] #:tabs [tabs any? #f] #:effort [effort any? 1])
-  (let ((parts (cond ((object? parts) (list parts)) ((list? parts) (flatten parts)) (else parts))))
+  (let ((parts (cond ((object? parts) (list parts)) ((list? parts) (%parts-within parts 8)) (else parts))))
     (if (not (list? parts)) (error 'pack-parts "parts must be a list of objects, got ~s" parts))
     (if (not (and (list? sheet) (= (length sheet) 2) (every (lambda (x) (and (real? x) (finite? x) (> x 0))) sheet)))
         (error 'pack-parts "sheet must be (list width height), two positive numbers, got ~s" sheet))
