@@ -5,6 +5,7 @@
 # exit code is 2, every file is unchanged, and no other output is written.
 case limits/inputs in *"$ONLY"*) ;; *) exit 0 ;; esac
 . tests/report.sh
+. tests/limited.sh
 root=$PWD
 mkdir "$work/m"
 cp tests/lang/lib/meshes/cube.obj "$work/m/mesh.obj"
@@ -44,7 +45,7 @@ fi
 refused() { # WHAT COMMAND...: must end with 2 (1 where the program itself writes), and leave all as it is; else all is restored
   what=$1; shift
   ls -A . sub > "$work/were" 2> /dev/null
-  timeout 60 "$@" > "$work/out" 2> "$work/err" < /dev/null
+  limited 60 "$@" > "$work/out" 2> "$work/err" < /dev/null
   code=$?
   case $what in call-*) want=1 ;; *) want=2 ;; esac
   [ $code = $want ] || { echo "$what: ended with $code"; tail -n 2 "$work/err"; } >> "$work/wrong"
@@ -74,7 +75,7 @@ echo '(define-parameter t 0.0) (when (> t 0) (load "part-001.scm")) (draw (make-
 echo '(define-parameter t 0) (draw (if (> t 0) (with-material (make-material #:image "shot-002.png") (make-box origin (xyz 1 1 1))) (make-sphere origin 1)))' > paint.vs
 later() { # WHAT INPUT COMMAND...
   what=$1 input=$2; shift 2
-  timeout 60 "$@" > "$work/out" 2> "$work/err" < /dev/null
+  limited 60 "$@" > "$work/out" 2> "$work/err" < /dev/null
   code=$?
   [ $code = 2 ] && grep -q "frame [23] reads this file" "$work/err" || { echo "$what: ended with $code"; tail -n 2 "$work/err"; } >> "$work/wrong"
   cmp -s "$input" "$work/kept" || echo "$what: $input is gone" >> "$work/wrong"
