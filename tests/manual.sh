@@ -177,3 +177,8 @@ if command -v node > /dev/null; then
   if node tests/manual/search.mjs "$work/html" > "$work/said" 2>&1; then cat "$work/said"; else echo "not ok manual:search"; sed 's/^/    /' "$work/said"; fi
 else echo "skip manual:search: no node"
 fi
+
+# The pictures: each is whole, and ends with the marker of its format.
+for picture in manual/*.jpg; do
+  if [ "$(tail -c 2 "$picture" | od -An -tx1 | tr -d ' ')" = ffd9 ]; then echo "ok $picture"; else echo "not ok $picture"; echo "    the file ends before the picture does"; fi
+done
