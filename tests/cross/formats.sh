@@ -91,9 +91,9 @@ warns of omitted shapes, but not of colours and names that a format cannot hold.
   a model in metres becomes a file in millimetres. STL files have no unit, and most programs for printing read
   millimetres.
 
-A warning names the place of the first omitted shape, and `vs` writes all other objects. With `--strict` an omission is
-an error. In pictures (`.png .exr`, and `.pov`) curves are at least two pixels wide. Curves, flat regions, text and open
-surfaces without a material are dark.
+A warning names the place of the first omitted shape, and `vs` writes all other objects. With `--strict` an omission, or
+a [rule of the design](building.md#rules-of-a-design) that is not met, is an error. In pictures (`.png .exr`, and
+`.pov`) curves are at least two pixels wide. Curves, flat regions, text and open surfaces without a material are dark.
 
 EOF
 
