@@ -107,6 +107,14 @@ for command in $(sed -n 's/^COMMAND(\([a-z]*\),.*/\1/p' "$root/cli/commands.def"
   format) ;; # its output is its input: the suite format tests that nothing is lost
   doc) ln -s ../m.js sub/index.html; echo 'box(point(0,0,0), 1, 1, 1);' > m.js; cp m.js plain.js
     "$vs" doc m.js -o sub > /dev/null 2>&1; [ $? = 2 ] && cmp -s m.js plain.js || echo "doc: replaces the program" >> "$work/wrong" ;;
+  cure) # the drawing before and the one after: neither is written if the model reads either
+    for own in before after; do
+      cp words.txt cured-$own.svg; cp words.txt plain/cured-$own.svg; inputs="$inputs cured-$own.svg"
+      echo "(import (visualscheme) (visualscheme building)) (define-parameter r 1.0 #:min 0 #:max 9) (file->string \"cured-$own.svg\") (require-that \"large\" (> r 5)) (draw (make-sphere origin r))" > rule.vs
+      refused "cure $own" "$vs" cure rule.vs -o cured.svg
+      [ $own = before ] || [ ! -e cured-before.svg ] || echo "cure: writes the first drawing before it refuses the second" >> "$work/wrong"
+      inputs=${inputs% cured-$own.svg}; rm cured-$own.svg
+    done ;;
   diff) cp m.vs n.vs; refused diff "$vs" diff m.vs n.vs --format openscad -o m.vs; refused diff "$vs" diff m.vs n.vs -o mesh.obj ;;
   translate) echo '(load "part.scm") (draw (make-box (xyz 0 0 0) side side side))' > t.vs; cp t.vs plain/
     inputs="$inputs t.vs"

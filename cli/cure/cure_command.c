@@ -240,13 +240,23 @@ static vs_outcome write_outputs(const cure *u, const char *which) {
     const cli_target *t = &c->options->targets[i];
     char path[CLI_PATH_ROOM];
     if (!cli_path_with(t->path, which, path)) return VS_OUTCOME_USAGE;
-    if (vs_is_input(c->scheme, path)) {
-      fprintf(stderr, "vs cure: %s: the model reads this file; name another file by -o\n", path);
-      return VS_OUTCOME_USAGE;
-    }
     outcome = u->write(c, &(cli_target){ path, t->format });
   }
   return outcome;
+}
+
+/* Returns VS_OUTCOME_USAGE, after a message, if the model reads a file that an output would replace. */
+static vs_outcome may_write(const cure *u) {
+  const cli_options *o = u->c->options;
+  for (size_t i = 0; i < 2 * o->target_count; i++) {
+    char path[CLI_PATH_ROOM];
+    if (!cli_path_with(o->targets[i / 2].path, i % 2 ? "after" : "before", path)) return VS_OUTCOME_USAGE;
+    if (!vs_is_input(u->c->scheme, path)) continue;
+    fprintf(stderr, "vs cure: %s: the model reads this file, and no output may replace it; name another file by -o\n",
+            path);
+    return VS_OUTCOME_USAGE;
+  }
+  return VS_OUTCOME_DONE;
 }
 
 /* Finds the best change of a single parameter and makes it. Returns its score, or `now` if no change helps. */
@@ -303,7 +313,9 @@ vs_outcome cli_cure(cli_session *c, cure_write *write) {
   } else if (outcome == VS_OUTCOME_DONE && !first.broken) {
     printf("%s: all rules are met\n", c->watch.name);
   } else if (outcome == VS_OUTCOME_DONE) {
-    outcome = take_parameters(&u) ? write_outputs(&u, "before") : VS_OUTCOME_MACHINE;
+    outcome = may_write(&u);
+    if (outcome == VS_OUTCOME_DONE && !take_parameters(&u)) outcome = VS_OUTCOME_MACHINE;
+    if (outcome == VS_OUTCOME_DONE) outcome = write_outputs(&u, "before");
     if (outcome == VS_OUTCOME_DONE) outcome = find_cure(&u, first);
   }
   free_cure(&u);
