@@ -91,7 +91,7 @@ export class CameraControl {
     // tangent of the visible half angle below the middle, above the buttons
     const low = Math.min(tall, half * Math.max(0.4, 1 - 2 * this.covered() / Math.max(1, canvas.clientHeight)));
     // tangent of the visible half angle right of the middle
-    const free = Math.min(wide, half * aspect * Math.max(0.1, 1 - 2 * this.beside() / Math.max(1, canvas.clientWidth)));
+    const free = Math.min(wide, half * aspect * Math.max(-0.6, 1 - 2 * this.beside() / Math.max(1, canvas.clientWidth)));
     const r = this.right(s), u = this.up(s), f = this.direction(s).negate(), corners = this.corners(box);
     const middle = corners[0].clone().add(corners[7]).multiplyScalar(0.5);
     const most = { r: -Infinity, l: -Infinity, t: -Infinity, b: -Infinity }, flat = { ...most };
@@ -113,15 +113,16 @@ export class CameraControl {
   view(name) {
     this.walking = false;
     if (name === "start") return this.go(this.start());
-    const v = VIEWS[name], yaw = this.#nearest(v.yaw);
-    this.go(this.framed({ ...this.state, yaw, pitch: v.pitch, parallel: v.parallel }, this.stage.model.box));
+    const v = VIEWS[name];
+    this.from(v.yaw, v.pitch, v.parallel);
   }
-  // Shows the model from a direction, in a parallel view.
-  from(yaw, pitch) {
+  // Shows the model from a direction.
+  from(yaw, pitch, parallel = true) {
     this.walking = false;
-    this.go(this.framed({ ...this.state, yaw: this.#nearest(yaw), pitch, parallel: true }, this.stage.model.box));
+    this.go(this.framed({ ...this.state, yaw: this.#nearest(yaw), pitch, parallel }, this.stage.model.box));
   }
-  // Returns true if no corner of the model's box is in the picture, or the model is smaller than a twentieth of it.
+  // Returns true if the rectangle around the corners of the model's box does not meet the picture, or is smaller than a
+  // twentieth of it.
   outOfFrame() {
     const { model, camera } = this.stage;
     if (!model || model.count === 0) return false;

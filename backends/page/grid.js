@@ -1,13 +1,8 @@
 // Contains the grid on the floor: squares of a round size, the axes through the origin, and numbers at every fifth line.
 import * as THREE from "three";
+import { roundStep } from "./lengths.js";
 
-const SQUARES_MOST = 60; // Greatest number of squares along a side.
-
-// Returns the edge of the grid's squares for a model of this size: 1, 2 or 5 times a power of ten.
-export function gridStep(size) {
-  const rough = size / 20 || 1, power = 10 ** Math.floor(Math.log10(rough)), least = rough / power;
-  return power * (least < 1.5 ? 1 : least < 3.5 ? 2 : least < 7.5 ? 5 : 10);
-}
+const SQUARES = 20; // About this number of squares lie along the longer side.
 
 export class Grid {
   constructor(stage) {
@@ -25,6 +20,7 @@ export class Grid {
       child.material.dispose();
     }
     this.ticks = [];
+    this.laid = "";
   }
 
   // Returns the numbers along the two borders of the grid that are nearer to the eye: { at, text }.
@@ -34,12 +30,14 @@ export class Grid {
 
   // Lays the grid under the model, and a fifth of its size around it.
   show(model) {
+    const laid = model && model.count > 0 ? JSON.stringify([model.box, model.middle, model.ground?.z, model.diagonal]) : "";
+    if (laid === this.laid) return;
     this.clear();
-    if (!model || model.count === 0) return;
+    this.laid = laid;
+    if (!laid) return;
     const middle = model.middle, low = [0, 1].map((k) => model.box.min[k] + middle[k]), high = [0, 1].map((k) => model.box.max[k] + middle[k]);
-    const size = Math.max(high[0] - low[0], high[1] - low[1], 1e-9), pad = 0.2 * size;
-    let step = gridStep(size + 2 * pad);
-    while ((size + 2 * pad) / step > SQUARES_MOST) step *= 2;
+    // A model without a width, such as a vertical line, has a grid that suits its height.
+    const size = Math.max(high[0] - low[0], high[1] - low[1], 0.1 * model.diagonal), pad = 0.2 * size, step = roundStep((size + 2 * pad) / SQUARES);
     const from = low.map((x) => Math.floor((x - pad) / step)), to = high.map((x) => Math.ceil((x + pad) / step));
     const z = (model.ground ? model.ground.z : model.box.min[2] + middle[2]) - middle[2], faint = [], strong = [], axes = [[], []];
     for (const k of [0, 1]) for (let i = from[k]; i <= to[k]; i++) {
@@ -48,7 +46,7 @@ export class Grid {
       a[o] = from[o] * step - middle[o];
       b[o] = to[o] * step - middle[o];
       (i === 0 ? axes[o] : i % 5 === 0 ? strong : faint).push(...a, ...b);
-      if (i % 5 === 0) this.ticks.push({ axis: k, ends: [new THREE.Vector3(...a), new THREE.Vector3(...b)], text: String(Number((i * step).toPrecision(6))) });
+      if (i % 5 === 0) this.ticks.push({ axis: k, ends: [new THREE.Vector3(...a), new THREE.Vector3(...b)], text: String(Number((i * step).toPrecision(12))) });
     }
     const add = (points, color, opacity) => {
       if (points.length === 0) return;

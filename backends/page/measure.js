@@ -1,12 +1,13 @@
 // Contains the measuring tool: what the user has clicked, the readings, and their marks over the picture.
 //
 // A mark is a corner, an edge or a face (snap() of pick.js). Two marks make a reading. Readings stay until the user
-// takes them away.
+// takes them away, or the model runs again.
 import * as THREE from "three";
 import { length } from "./lengths.js";
 import { svg } from "./dom.js";
 
-const PARALLEL = 1e-5; // Greatest sine of the angle between parallel directions.
+// Positions are numbers of 32 bits, relative to the middle of the model: directions of small parts have few digits.
+const PARALLEL = 1e-3; // Greatest sine of the angle between parallel directions.
 
 const way = (edge) => edge.ends[1].clone().sub(edge.ends[0]).normalize();
 const angle = (p, q) => (Math.acos(Math.min(1, Math.abs(p.dot(q)))) * 180 / Math.PI).toFixed(1) + "°";
@@ -27,7 +28,7 @@ export function between(a, b, units) {
   const rank = { point: 0, edge: 1, face: 2 };
   if (rank[a.kind] > rank[b.kind]) [a, b] = [b, a];
   const gap = (from, to, before = "") => {
-    const d = to.clone().sub(from), parts = ["x", "y", "z"].map((name, k) => [name, Math.abs(d.getComponent(k))]).filter(([, x]) => x > 1e-9 * d.length());
+    const d = to.clone().sub(from), parts = ["x", "y", "z"].map((name, k) => [name, Math.abs(d.getComponent(k))]).filter(([, x]) => x > 1e-5 * d.length());
     const words = before + length(d.length(), units) + (parts.length > 1 ? "   " + parts.map(([name, x]) => `d${name} ${length(x)}`).join("  ") : "");
     return { words, from, to };
   };

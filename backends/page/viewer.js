@@ -6,7 +6,7 @@ import { CameraControl } from "./camera.js";
 import { ViewCube } from "./cube.js";
 import { Grid } from "./grid.js";
 import { pick, rayAt, snap, toScreen } from "./pick.js";
-import { length } from "./lengths.js";
+import { length, roundStep } from "./lengths.js";
 import { Measures } from "./measure.js";
 import { el, svg, icon } from "./dom.js";
 import { Panel } from "./panel.js";
@@ -14,12 +14,6 @@ import { Panel } from "./panel.js";
 const AXES = { x: new THREE.Vector3(1, 0, 0), y: new THREE.Vector3(0, 1, 0), z: new THREE.Vector3(0, 0, 1) };
 const MODES = [["top", "Top", "7"], ["bottom", "Bottom", ""], ["front", "Front", "1"], ["back", "Back", ""], ["left", "Left", ""], ["right", "Right", "3"], ["iso", "Isometric", "0"], ["start", "First view", "R"]];
 const SHOWS = [["edges", "Edges", "E"], ["shadows", "Shadows", ""], ["occlusion", "Ambient occlusion", ""], ["grid", "Grid and axes", "N"], ["wireframe", "Wireframe", "W"], ["dark", "Dark", "D"]];
-
-// Returns a step of 1, 2 or 5 times a power of ten that is about a four-hundredth of a length.
-function niceStep(span) {
-  const power = 10 ** Math.floor(Math.log10(span / 400)), least = span / 400 / power;
-  return power * (least < 1.5 ? 1 : least < 3.5 ? 2 : least < 7.5 ? 5 : 10);
-}
 
 export class Viewer {
   constructor(host) {
@@ -49,7 +43,8 @@ export class Viewer {
     this.onSelect = () => {};
     this.#build();
     this.grid = new Grid(this.stage);
-    this.cube = new ViewCube(this.control, { view: (name) => { this.touched = true; this.view(name); }, from: (yaw, pitch) => { this.touched = true; this.control.from(yaw, pitch); this.#pressed(); } });
+    this.cube = new ViewCube(this.control, { view: (name) => this.view(name), from: (yaw, pitch) => { this.control.from(yaw, pitch); this.#pressed(); } });
+    this.cube.root.addEventListener("pointerdown", () => { this.touched = true; });
     this.root.append(this.cube.root);
     this.control.depthAt = (x, y) => pick(this.stage, x, y)?.point || null;
     this.control.click = (x, y) => this.#click(x, y);
@@ -481,7 +476,7 @@ export class Viewer {
     event.stopPropagation();
     this.touched = true;
     if (handle.gizmo) return this.#dragGizmo(event, handle);
-    const r = this.canvas.getBoundingClientRect(), start = this.#fromModel(handle.at), seen = this.control.direction(), round = niceStep(this.model.diagonal);
+    const r = this.canvas.getBoundingClientRect(), start = this.#fromModel(handle.at), seen = this.control.direction(), round = roundStep(this.model.diagonal / 400);
     const offset = toScreen(this.stage, start), grab = { x: event.clientX - r.left - offset.x, y: event.clientY - r.top - offset.y };
     this.grip = { name: handle.name, at: handle.at };
     const upright = new THREE.Vector3(seen.x, seen.y, 0).normalize();

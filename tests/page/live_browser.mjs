@@ -107,7 +107,12 @@ await test("the cube shows standard views, corner views, and turns", async (want
   await page.mouse.down();
   await page.mouse.move(box.x + 80, box.y + 50, { steps: 3 });
   await page.mouse.up();
-  want((await way()) !== before, "a drag does not turn the model");
+  const turned = await way(), size = page.viewportSize();
+  want(turned !== before, "a drag does not turn the model");
+  await page.setViewportSize({ width: size.width + 40, height: size.height });
+  await page.waitForTimeout(150);
+  want((await way()) === turned, "a resized window undoes the drag");
+  await page.setViewportSize(size);
   await page.evaluate(() => { window.visualscheme.view("start"); });
 });
 

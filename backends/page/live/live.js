@@ -91,7 +91,7 @@ export class Live {
 
     this.viewer.addHelp([["Source", "Ctrl B folds it and shows it; Esc, then Tab leaves it; B goes through how the model is made; Alt and a drag turn a number, as do Ctrl and the up and down arrows"]]);
     this.viewer.addKeys({ s: () => this.fold(!this.folded) });
-    this.viewer.beside = () => this.parameters.root.open && !this.parameters.root.hidden && innerWidth > PHONE ? 290 : 0;
+    this.viewer.beside = () => this.parameters.root.open && !this.parameters.root.hidden && innerWidth > PHONE ? this.viewer.canvas.getBoundingClientRect().right - this.parameters.root.getBoundingClientRect().left : 0;
     this.#apart();
     this.source = new Source(this.editorPlace, {
       changed: () => { this.saveButton.disabled = !this.source.dirty; },
