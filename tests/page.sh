@@ -59,7 +59,10 @@ for name in light daylight evening; do
 done
 echo '(define-parameter n 1) (define-parameter style "flat") (report "area" (* n n)) (draw (make-box origin (xyz n 1 1)))' > "$work/swept.vs"
 "$BUILD/vs" sweep -q "$work/swept.vs" --set n=1..4:1 --set style=flat,steep --format svg -o "$work/swept/" || echo "not ok page/parallel coordinates: ended with $?"
-timeout 120 node tests/page/parallel.mjs "$work/swept/index.html" || echo "not ok page/parallel coordinates: ended with $?"
+# Values that differ by rounding alone, and an axis of numbers with five digits.
+echo '(define-parameter n 1) (report "same" (* n 0.1 (/ 10.0 n) 1000.0)) (report "long" (+ 10230 (* 2.5 n))) (draw (make-box origin (xyz n 1 1)))' > "$work/rounded.vs"
+"$BUILD/vs" sweep -q "$work/rounded.vs" --set n=1..12:1 --format svg -o "$work/rounded/" || echo "not ok page/parallel coordinates: ended with $?"
+timeout 120 node tests/page/parallel.mjs "$work/swept/index.html" "$work/rounded/index.html" || echo "not ok page/parallel coordinates: ended with $?"
 timeout 1500 node tests/page/page.mjs "$work" || echo "not ok page: ended with $?"
 
 # .x3d files: the form of each kind of node, instances, and two examples.

@@ -3,7 +3,7 @@
 "use strict";
 (() => {
   if (!sweep) return;
-  const { panel, axes, figures, share, label, colour, choose, beside } = sweep;
+  const { panel, axes, figures, label, colour, choose, beside } = sweep;
   const box = document.createElement("div"), canvas = document.createElement("canvas"), bar = document.createElement("p");
   const card = document.createElement("div"), left = 56, right = 16, top = 12, bottom = 28, height = 260, near = 14;
   box.id = "scatter";
@@ -12,7 +12,9 @@
   canvas.setAttribute("role", "img");
   card.style.cssText = "position:absolute;display:none;width:220px;background:#fff;border:1px solid #999;padding:6px;" +
     "pointer-events:none;z-index:2;box-shadow:0 2px 8px rgba(0,0,0,.25)";
-  const numeric = axes.map((axis, k) => k).filter((k) => !axes[k].texts.length && axes[k].most > axes[k].least);
+  // Numbers that differ by rounding alone are one value.
+  const ranges = (axis) => axis.most - axis.least > 1e-9 * Math.max(Math.abs(axis.least), Math.abs(axis.most));
+  const numeric = axes.map((axis, k) => k).filter((k) => !axes[k].texts.length && ranges(axes[k]));
   const [first, second] = numeric.length > 1 ? numeric.slice(-2) : [0, axes.length - 1];
   const across = choice("Across", first), up = choice("Up", second);
   bar.append(across.parentNode, " ", up.parentNode);
@@ -28,25 +30,26 @@
     name.append(words + " ", list);
     return list;
   }
+  const tick_label = (axis, value) => (axis.texts.length ? label(axis, value) : String(Number(value.toPrecision(12))));
   const chosen_axes = () => [axes[across.value], axes[up.value]];
   const wide = () => box.clientWidth - left - right, high = height - top - bottom;
   // Shares of an axis between 0.03 and 0.97: points at its ends are inside the frame.
   const inset = (at) => 0.03 + 0.94 * at;
-  function place(i) {
-    const [x, y] = chosen_axes();
-    return [left + inset(share(x, i)) * wide(), top + (1 - inset(share(y, i))) * high];
+  // Returns the place of a set's point, or null if the set lacks one of the values. The axes and the width may be given.
+  function place(i, [x, y] = chosen_axes(), width = wide()) {
+    if (Number.isNaN(x.places[i]) || Number.isNaN(y.places[i])) return null;
+    return [left + along(x, x.places[i]) * width, top + (1 - along(y, y.places[i])) * high];
   }
-  const is_there = (i) => chosen_axes().every((axis) => !Number.isNaN(axis.places[i]));
   // Returns round numbers on the axis, or the places of its texts.
   function ticks(axis, most) {
     if (axis.texts.length) return axis.texts.length <= most ? axis.texts.map((text, k) => k) : [0, axis.texts.length - 1];
-    if (!(axis.most > axis.least)) return Number.isFinite(axis.least) ? [axis.least] : [];
+    if (!ranges(axis)) return Number.isFinite(axis.least) ? [axis.least] : [];
     const rough = (axis.most - axis.least) / most, power = 10 ** Math.floor(Math.log10(rough));
     const step = power * [1, 2, 5, 10].find((k) => k * power >= rough), list = [];
     for (let k = Math.ceil(axis.least / step); k * step <= axis.most; k++) list.push(k * step);
     return list;
   }
-  const along = (axis, value) => inset(axis.most > axis.least ? (value - axis.least) / (axis.most - axis.least) : 0.5);
+  const along = (axis, value) => inset(ranges(axis) ? (value - axis.least) / (axis.most - axis.least) : 0.5);
   function draw_frame(to) {
     const [x, y] = chosen_axes(), shown = (text) => (text.length > 14 ? text.slice(0, 13) + "\u2026" : text);
     to.font = "12px sans-serif", to.strokeStyle = "#ddd", to.fillStyle = "#444";
@@ -54,18 +57,20 @@
     for (const value of ticks(x, Math.max(3, Math.floor(wide() / 80)))) {
       const at = left + along(x, value) * wide();
       to.beginPath(), to.moveTo(at, top), to.lineTo(at, height - bottom), to.stroke();
-      to.fillText(shown(label(x, value)), at, height - 10);
+      to.fillText(shown(tick_label(x, value)), at, height - 10);
     }
     to.textAlign = "right";
     for (const value of ticks(y, 5)) {
       const at = top + (1 - along(y, value)) * high;
       to.beginPath(), to.moveTo(left, at), to.lineTo(left + wide(), at), to.stroke();
-      to.fillText(shown(label(y, value)), left - 6, at + 4);
+      to.fillText(shown(tick_label(y, value)), left - 6, at + 4);
     }
     to.strokeStyle = "#333", to.strokeRect(left, top, wide(), high);
   }
-  function draw_point(to, i, size) {
-    const [x, y] = place(i);
+  function draw_point(to, i, size, of = []) {
+    const at = place(i, ...of);
+    if (!at) return;
+    const [x, y] = at;
     to.beginPath(), to.arc(x, y, size, 0, 2 * Math.PI), to.fill();
   }
   function draw() {
@@ -76,8 +81,9 @@
     draw_frame(to);
     const size = figures.length > 1000 ? 2 : 4;
     to.fillStyle = "#ddd";
-    figures.forEach((figure, i) => { if (!kept[i] && is_there(i)) draw_point(to, i, size); });
-    figures.forEach((figure, i) => { if (kept[i] && is_there(i)) to.fillStyle = colour(i), draw_point(to, i, size); });
+    const of = [[x, y], wide()];
+    figures.forEach((figure, i) => { if (!kept[i]) draw_point(to, i, size, of); });
+    figures.forEach((figure, i) => { if (kept[i]) to.fillStyle = colour(i), draw_point(to, i, size, of); });
     still.width = canvas.width, still.height = canvas.height;
     still.getContext("2d").drawImage(canvas, 0, 0);
   }
@@ -86,15 +92,16 @@
     to.setTransform(1, 0, 0, 1, 0, 0);
     to.clearRect(0, 0, canvas.width, canvas.height), to.drawImage(still, 0, 0);
     to.scale(scale, scale);
-    if (i >= 0 && is_there(i)) to.fillStyle = "#000", draw_point(to, i, 7);
+    if (i >= 0) to.fillStyle = "#000", draw_point(to, i, 7);
   }
   // Returns the number of the kept set whose point is nearest to the pointer, or -1 if none is near.
   function nearest(event) {
-    const frame = canvas.getBoundingClientRect();
+    const frame = canvas.getBoundingClientRect(), chosen = chosen_axes(), width = wide();
     let best = -1, least = near;
     figures.forEach((figure, i) => {
-      if (!kept[i] || !is_there(i)) return;
-      const [x, y] = place(i), distance = Math.hypot(x - (event.clientX - frame.left), y - (event.clientY - frame.top));
+      const at = kept[i] && place(i, chosen, width);
+      if (!at) return;
+      const distance = Math.hypot(at[0] - (event.clientX - frame.left), at[1] - (event.clientY - frame.top));
       if (distance < least) least = distance, best = i;
     });
     return best;
@@ -112,14 +119,17 @@
     card.style.left = Math.max(0, Math.min(x + 16 + 234 > box.clientWidth ? x - 250 : x + 16, box.clientWidth - 234)) + "px";
     card.style.top = y + 16 + "px";
   }
+  let under = -1; // the set whose card is shown
   canvas.addEventListener("pointermove", (event) => {
     const i = nearest(event);
+    if (i === under) return;
+    under = i;
     canvas.style.cursor = i >= 0 ? "pointer" : "";
     choose(i);
     if (i >= 0) show_card(i);
     else card.style.display = "none";
   });
-  canvas.addEventListener("pointerleave", () => { card.style.display = "none", choose(-1); });
+  canvas.addEventListener("pointerleave", () => { card.style.display = "none", under = -1, choose(-1); });
   canvas.addEventListener("click", (event) => {
     const i = nearest(event), link = i >= 0 && figures[i].querySelector("a");
     if (link) window.open(link.href);

@@ -1,5 +1,5 @@
-// Owns the tests of a sweep's page: its parallel coordinates and its scatter. `parallel.mjs INDEX.HTML`, the page of a sweep of n=1..4,
-// style=flat,steep with the number "area". Prints lines in the form that tests/run.sh reads.
+// Owns the tests of a sweep's page: its parallel coordinates and its scatter. `parallel.mjs INDEX.HTML ROUNDED.HTML`, the pages of
+// a sweep of n=1..4, style=flat,steep with the number "area", and of one with "same", which is 1000 but for rounding, and "long". Prints lines in the form that tests/run.sh reads.
 import { pathToFileURL } from "node:url";
 import { browser } from "./browser.mjs";
 
@@ -57,6 +57,20 @@ await page.click("button");
 await page.hover("figure:nth-of-type(3)");
 await page.setViewportSize({ width: 360, height: 700 });
 check(await page.evaluate(() => document.documentElement.scrollWidth <= 360), "a phone's width does not hold it");
+// Numbers on the scatter's axes: those of a value that differs by rounding alone, and of five digits.
+await page.addInitScript(() => {
+  window.written = [];
+  const { fillText } = CanvasRenderingContext2D.prototype;
+  CanvasRenderingContext2D.prototype.fillText = function (text, ...at) { if (this.canvas.getAttribute("aria-label")?.startsWith("Sets by")) window.written.push(text); return fillText.call(this, text, ...at); };
+});
+await page.goto(pathToFileURL(process.argv[3]).href, { timeout: 20000 });
+for (const [name, wanted] of [["same", /^1000$/], ["long", /^102[3-6]\d(\.5)?$/]]) {
+  await page.selectOption("#scatter select >> nth=1", { label: "n" });
+  await page.evaluate(() => { window.written = []; });
+  await page.selectOption("#scatter select >> nth=0", { label: name });
+  const words = await page.evaluate(() => window.written);
+  check(words.some((w) => wanted.test(w)) && new Set(words).size === words.length, `the axis of ${name} says ${words}`);
+}
 check(troubles.length === 0, troubles.join("; "));
 await chromium.close();
 console.log((faults.length ? "not ok" : "ok") + " page/parallel coordinates");
