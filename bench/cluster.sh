@@ -52,6 +52,8 @@ of_a_film=$(cost 1 $(film 16x9 draft tiny) --jobs 1 --only 1..40) || exit 1
 picture=$(cost 9 "$vs" -q tower.vs -D turn=3 -o tiny.png --size 16x9 --quality draft --exposure 0) || exit 1
 around_a_frame=$(value "$of_a_film / 40 - $picture")
 # a join lists 2,000 frames, and reads each: a frame of 4K, with the start of the program
+$(film 16x9 draft tiny) --join > said 2>&1
+grep -q '1960 of 2000 pictures are missing' said || { echo 'a join of 40 frames of 2,000 says:'; cat said; exit 1; } >&2
 listed=$(cost 3 sh -c "$(film 16x9 draft tiny) --join > /dev/null 2>&1; true") || exit 1
 one() { echo "$vs render -q tower.vs --frames 1,turn=9..9 --exposure 0 --size 3840x2160 -o $1/ --quality $1"; }
 draft=$(cost 1 $(one draft)) && good=$(cost 1 $(one good)) && read_one=$(cost 5 $(one good) --join) || exit 1

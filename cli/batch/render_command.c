@@ -934,13 +934,23 @@ static vs_outcome try_batch(batch *b) {
   return VS_OUTCOME_DONE;
 }
 
+/* Returns true, after a message, if pictures are missing that a join needs. */
+static bool lacks_pictures(const batch *b) {
+  size_t missing = 0, first = 0;
+  for (size_t i = b->count; i-- > 0;)
+    if (b->at[i].result.fate == NOT_TRIED) missing++, first = i;
+  if (missing)
+    fprintf(stderr, "vs render: --join: %zu of %zu pictures %s missing, first %s; the same command without --join makes "
+                    "them\n", missing, b->count, missing == 1 ? "is" : "are", b->at[first].file);
+  return missing > 0;
+}
+
 static vs_outcome run_batch(batch *b) {
   const cli_options *o = b->options;
   vs_outcome outcome = b->failed;
   if (o->join) recall_all(b);
   else if (!make_all(b)) return VS_OUTCOME_USAGE;
-  for (size_t i = 0; o->join && i < b->count; i++)
-    if (b->at[i].result.fate == NOT_TRIED) outcome = VS_OUTCOME_WORKER;
+  if (o->join && lacks_pictures(b)) outcome = VS_OUTCOME_WORKER;
   for (size_t i = b->count; i-- > 0;)
     if (b->at[i].result.fate == FAILED) outcome = (vs_outcome)b->at[i].result.code;
   if (*b->ended) outcome = VS_OUTCOME_INTERRUPTED;
