@@ -9,8 +9,9 @@ vs=$BUILD/vs tools=$BUILD/tools
 result() { # NAME FILE: the file holds the reasons why the test failed, and is empty if it passed
   if [ -s "$2" ]; then echo "not ok $1"; head -n 12 "$2" | sed 's/^/    /'; else echo "ok $1"; fi
 }
-wanted() { # NAME: is this test, or a test within this script, asked for by ONLY?
-  case $1 in *"$ONLY"*) return 0 ;; *) return 1 ;; esac
+wanted() { # NAME: is this test, or a test NAME:... within it, asked for by ONLY?
+  case $1 in *"$ONLY"*) return 0 ;; esac
+  case $ONLY in "$1":*) return 0 ;; *) return 1 ;; esac
 }
 # Prints the reason why tests cannot use a terminal here, in one line; nothing if they can.
 no_terminal() {

@@ -1,6 +1,9 @@
 # A client of `vs lsp`: lsp.py VS FOLDER ONLY. Prints `ok NAME`, or `not ok NAME` and its reasons.
 import base64, json, os, pathlib, random, re, subprocess, sys, time, urllib.parse, urllib.request, xml.etree.ElementTree as tree
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from patience import patience
+
 vs, work, only = sys.argv[1], pathlib.Path(sys.argv[2]), sys.argv[3]
 
 class Client:
@@ -59,10 +62,6 @@ class Client:
         self.tell("exit", None)
         out = self.process.communicate(timeout=60)
         return self.process.returncode, out
-
-def patience():
-    """Returns the factor by which the machine's load lengthens a limit of elapsed time."""
-    return max(1, os.getloadavg()[0] / os.cpu_count())
 
 def position(text, offset):
     lines = re.split(r"\r\n|\r|\n", text[:offset])
