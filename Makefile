@@ -334,6 +334,7 @@ bench: ## install Guile, Lua and Chez Scheme, and measure beside them: programs,
 	BUILD=$(BUILD) sh scripts/install.sh build bench
 	$(MAKE) all $(BUILD)/measure
 	sh bench/startup.sh $(BUILD)/vs
+	sh bench/pauses.sh $(BUILD)/vs
 	sh bench/run.sh $(BUILD)/vs $(BUILD)/measure
 	sh bench/memory.sh $(BUILD)/vs
 	sh bench/passes.sh $(BUILD)/vs $(BUILD)/measure
