@@ -940,8 +940,8 @@ static bool lacks_pictures(const batch *b) {
   for (size_t i = b->count; i-- > 0;)
     if (b->at[i].result.fate == NOT_TRIED) missing++, first = i;
   if (missing)
-    fprintf(stderr, "vs render: --join: %zu of %zu pictures %s missing, first %s; the same command without --join makes "
-                    "them\n", missing, b->count, missing == 1 ? "is" : "are", b->at[first].file);
+    fprintf(stderr, "vs render: --join: %zu of %zu pictures %s missing, first %s; the same command without --join "
+                    "makes them\n", missing, b->count, missing == 1 ? "is" : "are", b->at[first].file);
   return missing > 0;
 }
 
