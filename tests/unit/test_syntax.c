@@ -92,6 +92,10 @@ static void test_messages(void **state) {
     { "(define (f) (define x 1))",
       "1:1 this body ends with a definition; an expression must follow, whose value it has" },
     { "(if 1)", "1:1 if is written (if test then else), not (if 1)" },
+    { "(cond (1 (define y 1)))",
+      "1:7 this body ends with a definition; an expression must follow, whose value it has" },
+    { "(case 1 ((1) (define y 1)))",
+      "1:9 this body ends with a definition; an expression must follow, whose value it has" },
     { "(if 1 (define y 1) 2)", "1:7 define is not allowed here, only at top level or in the body of a procedure, let, "
                                "when, cond and the like; for a name inside an expression use let" },
     { "(cond (else 1) (2 3))", "1:7 else must be the last clause of cond" },

@@ -45,10 +45,10 @@ static bool sequence(vs_expansion *x, vs_value forms, vs_pos pos, vs_core_node *
   return vs_expand_list(x, forms, x->now.env, seq->as.seq.at, depth + 1);
 }
 
-/* Expands the values of a clause of cond or case. Several values are a body, which may contain definitions. */
+/* Expands the values of a clause of cond or case: a body, which may begin with definitions. */
 static bool clause_values(vs_expansion *x, vs_value forms, vs_pos pos, vs_core_node **into, uint32_t depth) {
-  return vs_list_length(forms) > 1 ? vs_expand_body(x, forms, x->now.env, pos, into, depth)
-                                   : sequence(x, forms, pos, into, depth);
+  return vs_is_pair(forms) ? vs_expand_body(x, forms, x->now.env, pos, into, depth)
+                           : sequence(x, forms, pos, into, depth);
 }
 
 bool vs_form_begin(vs_expansion *x) {
