@@ -9,7 +9,8 @@
 typedef struct { vs_vec3 middle; double radius; } vs_ball;
 
 vs_ball vs_ball_empty(void);
-/* Returns the smallest ball that contains the box. */
+/* Returns the smallest ball that contains the box. This ball and those below are larger by their middles' rounding
+ * errors. */
 vs_ball vs_ball_of_box(const vs_bounds *b);
 /* Returns a ball that contains the ball mapped by a. If a keeps angles, it is the smallest. */
 vs_ball vs_ball_mapped(const vs_ball *ball, const vs_affine *a);

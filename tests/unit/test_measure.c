@@ -155,6 +155,37 @@ static void sets(void **state) {
   vs_store_release(s);
 }
 
+/* Maps a point as a node's placement does, with more digits. */
+static void map_long(const vs_affine *a, long double p[3]) {
+  long double q[3];
+  for (int i = 0; i < 3; i++) {
+    q[i] = a->m[i][3];
+    for (int k = 0; k < 3; k++) q[i] += a->m[i][k] * p[k];
+  }
+  for (int i = 0; i < 3; i++) p[i] = q[i];
+}
+
+/* The bounds of a small box far from the origin contain its middle below many turns: the balls that limit boxes count
+ * the rounding errors of far coordinates. */
+static void far_turns(void **state) {
+  (void)state;
+  vs_store *s = vs_store_new(NULL, NULL);
+  const double far = 1e7, half = 1e-8;
+  vs_node *n = NODE(box, BOX, { far - half, far - half, far - half }, { far + half, far + half, far + half });
+  long double middle[3] = { far, far, far };
+  vs_affine turn = vs_affine_rotation(vs_v3(3, 1, 2), vs_v3(1, 2, 3), 0.7);
+  for (int i = 0; i < 60; i++) {
+    n = placed(s, turn, n);
+    map_long(&turn, middle);
+    vs_bounds b;
+    assert_true(vs_node_bounds(n, &b, NULL));
+    const double low[3] = { b.min.x, b.min.y, b.min.z }, high[3] = { b.max.x, b.max.y, b.max.z };
+    for (int k = 0; k < 3; k++) assert_true(low[k] <= middle[k] && middle[k] <= high[k]);
+  }
+  vs_node_release(n);
+  vs_store_release(s);
+}
+
 static void deep_and_wide_trees(void **state) {
   (void)state;
   vs_store *s = vs_store_new(NULL, NULL);
@@ -243,7 +274,7 @@ static void deep_turned_sets(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(solids_agree), cmocka_unit_test(placed_primitives_have_exact_bounds), cmocka_unit_test(sets),
-    cmocka_unit_test(deep_and_wide_trees), cmocka_unit_test(curves_and_regions),
+    cmocka_unit_test(far_turns), cmocka_unit_test(deep_and_wide_trees), cmocka_unit_test(curves_and_regions),
     cmocka_unit_test(deep_turned_sets),
   };
   return cmocka_run_group_tests_name("geometry bounds, inside, measures", tests, NULL, NULL);
