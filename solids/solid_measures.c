@@ -356,7 +356,7 @@ static bool mesh_rest(measuring *m, int which, const vs_bounds *drawing) {
     size_t triangles = solid.mesh.triangle_count;
     vs_solid_free(&solid);
     double finer = fmin(CHEAP / fmax((double)triangles, 1), 64);
-    if (m->tolerance > 0 || finer < 2) break;
+    if (again || m->tolerance > 0 || finer < 2) break;
     if (!m->rough && !find_rough(m, which, &f)) return false;
     if (m->rough) break;
     f.tolerance = ldexp(f.tolerance, -(int)floor(log2(finer)));
