@@ -6,15 +6,9 @@
 #include <math.h>
 
 #include "geometry/frame.h"
+#include "geometry/measure/scatter.h"
 
 static const double golden = 2.39996322972865332, pi = 3.14159265358979323846, faint = 1e-3;
-
-/* Returns a number from 0 to 1 by a hash of x (the last step of MurmurHash3). */
-static double scattered(uint32_t x) {
-  x ^= x >> 16, x *= 0x85ebca6bu;
-  x ^= x >> 13, x *= 0xc2b2ae35u;
-  return (x ^ x >> 16) * 0x1p-32;
-}
 
 /* Returns the direction over a surface whose foot on the unit disc has this square of its radius, and this angle. */
 static vs_vec3 lifted(vs_vec3 normal, double square, double angle) {
@@ -49,7 +43,7 @@ static double follow(const vs_daylit *d, vs_vec3 from, vs_vec3 direction, uint32
     vs_vec3 normal = facing(d->tree->mesh, met, direction);
     from = vs_v3_add(vs_v3_add(from, vs_v3_scale(direction, at)), vs_v3_scale(normal, d->step));
     left *= d->reflectances[met];
-    direction = lifted(normal, scattered(seed + 2 * turn), 2 * pi * scattered(seed + 2 * turn + 1));
+    direction = lifted(normal, vs_scattered(seed + 2 * turn), 2 * pi * vs_scattered(seed + 2 * turn + 1));
   }
   return 0;
 }

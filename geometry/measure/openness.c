@@ -7,14 +7,9 @@
 
 #include <math.h>
 
-enum { SIDE = 8 };
+#include "geometry/measure/scatter.h"
 
-/* Returns a hash of x (the last step of MurmurHash3). */
-static uint32_t scatter(uint32_t x) {
-  x ^= x >> 16, x *= 0x85ebca6bu;
-  x ^= x >> 13, x *= 0xc2b2ae35u;
-  return x ^ x >> 16;
-}
+enum { SIDE = 8 };
 
 /* Maps the point (u, v) of the unit square to the point (*x, *y) of the unit disc. */
 static void to_disc(double u, double v, double *x, double *y) {
@@ -26,12 +21,10 @@ static void to_disc(double u, double v, double *x, double *y) {
   *x = radius * cos(angle), *y = radius * sin(angle);
 }
 
-static double part_of(uint32_t bits) { return bits * 0x1p-32; }
-
 double vs_openness(const vs_surrounding *s, vs_vec3 from, vs_vec3 normal, uint32_t seed) {
   vs_vec3 other = fabs(normal.z) < 0.9 ? vs_v3(0, 0, 1) : vs_v3(1, 0, 0);
   vs_vec3 right = vs_v3_unit(vs_v3_cross(other, normal)), up = vs_v3_cross(normal, right);
-  double shift_u = part_of(scatter(2 * seed)), shift_v = part_of(scatter(2 * seed + 1));
+  double shift_u = vs_scattered(2 * seed), shift_v = vs_scattered(2 * seed + 1);
   int open = 0;
   VS_ASSERT(fabs(vs_v3_dot(normal, normal) - 1) < 1e-6);
   for (int i = 0; i < SIDE; i++)
