@@ -33,11 +33,10 @@ static void *session_memory(vs_session *s, void *old, size_t old_bytes, size_t b
   return p;
 }
 
-/* Allocates, reallocates or frees memory. If memory is out, removes results from the cache and allocates again. */
-void vs_session_take_options(void *own, size_t room, const void *given) {
-  size_t size;
-  VS_ASSERT(own && room >= sizeof size);
-  if (given) memcpy(&size, given, sizeof size), memcpy(own, given, size && size < room ? size : room);
+void vs_session_take_options(void *own, size_t room, size_t first, const void *given) {
+  size_t size = 0;
+  VS_ASSERT(own && sizeof size <= first && first <= room);
+  if (given) memcpy(&size, given, sizeof size), memcpy(own, given, !size ? first : size < room ? size : room);
   memcpy(own, &room, sizeof room);
 }
 
@@ -48,6 +47,7 @@ void vs_session_give_options(void *given, size_t size, const void *own, size_t r
   memcpy(given, &size, sizeof size);
 }
 
+/* Allocates, reallocates or frees memory. If memory is out, removes results from the cache and allocates again. */
 void *vs_session_memory(void *session, void *old, size_t old_bytes, size_t bytes) {
   vs_session *s = session;
   void *p = session_memory(s, old, old_bytes, bytes);

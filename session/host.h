@@ -4,10 +4,19 @@
 
 #include "session/session.h"
 
+/* Sizes of the structs of options in version 0.1, from their last members then. Members of later versions come behind
+ * these and leave the sizes as they are. */
+#define VS_SIZE_TO(type, last) (offsetof(type, last) + sizeof ((type *)0)->last)
+enum {
+  VS_FIRST_OPTIONS = VS_SIZE_TO(vs_options, limit_stack),
+  VS_FIRST_FIT_OPTIONS = VS_SIZE_TO(vs_fit_options, confidence),
+  VS_FIRST_OUTPUT_OPTIONS = VS_SIZE_TO(vs_output_options, look)
+};
+
 /* Copies a struct of options, which begins with its size, from the host to *own, which contains the defaults. Copies
- * the members that the host's header and the library both have. room: the size of *own; a size of 0 means this size.
- * given may be NULL. */
-void vs_session_take_options(void *own, size_t room, const void *given);
+ * the members that the host's header and the library both have. room: the size of *own. first: the size in version
+ * 0.1, which a size of 0 means. given may be NULL. */
+void vs_session_take_options(void *own, size_t room, size_t first, const void *given);
 /* Sets *given, a host's struct of `size` bytes, to the defaults in *own; members that the library lacks become 0. */
 void vs_session_give_options(void *given, size_t size, const void *own, size_t room);
 void *vs_session_memory(void *session, void *old, size_t old_bytes, size_t bytes);  /* Allocates, reallocates or

@@ -337,7 +337,7 @@ vs_outcome vs_meshes_begin(vs_scheme *vm, const vs_output_options *options) {
     m->open = false;
   }
   vs_output_options o = vs_output_options_default();
-  vs_session_take_options(&o, sizeof o, options);
+  vs_session_take_options(&o, sizeof o, VS_FIRST_OUTPUT_OPTIONS, options);
   o.passes &= ~(1u << VS_PASS_FOLD); /* omits the pass fold, which would turn the copies of a shape into different
                                       * nodes */
   vs_byte_sink nowhere = { take_nothing, NULL };

@@ -182,9 +182,10 @@ static bool show_nodes(writing *j, bool *beside, vs_value *objects) {
   return ok;
 }
 
+enum { COLLECT_WORK = 128 }; /* work for an object that is collected, in the units of vs_store_going: a cache miss */
+
 /* Copies the drawing's references to the scene. First collects garbage: otherwise a node to which an unused value
  * refers would seem to be shared. Later stages replace the copied references. */
-enum { COLLECT_WORK = 128 }; /* work for an object that is collected, in the units of vs_store_going: a cache miss */
 static bool stage_collect(writing *j) {
   vs_session *s = j->session;
   bool beside = true, change = j->options && j->options->change;

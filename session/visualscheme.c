@@ -254,7 +254,7 @@ static void free_texts(vs_session *s) {
 
 vs_scheme *vs_new(const vs_options *options) {
   vs_options o = vs_options_default();
-  vs_session_take_options(&o, sizeof o, options);
+  vs_session_take_options(&o, sizeof o, VS_FIRST_OPTIONS, options);
   vs_session *s = bootstrap_memory(&o, NULL, 0, sizeof *s);
   if (!s) return NULL;
   memset(s, 0, sizeof *s);
@@ -695,7 +695,7 @@ static vs_outcome write_to(vs_scheme *vm, const char *path, const char *format_n
   vs_session *s = vs_session_of(vm);
   if (vs_session_busy(s, "vs_write_drawing")) return VS_OUTCOME_USAGE;
   vs_output_options o = vs_output_options_default();
-  vs_session_take_options(&o, sizeof o, options);
+  vs_session_take_options(&o, sizeof o, VS_FIRST_OUTPUT_OPTIONS, options);
   const char *wanted = format_name ? format_name : path;
   vs_format room;
   const vs_format *format = wanted ? format_of(s, wanted, &room) : NULL;

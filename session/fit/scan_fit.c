@@ -502,7 +502,7 @@ vs_outcome vs_fit(vs_scheme *vm, const char *model, const char *scan, const vs_f
   vs_session *s = vs_session_of(vm);
   vs_fit_options own = vs_fit_options_default();
   const vs_fit_options *o = &own;
-  vs_session_take_options(&own, sizeof own, given);
+  vs_session_take_options(&own, sizeof own, VS_FIRST_FIT_OPTIONS, given);
   vs_fit_number *numbers = NULL;
   vs_error e = { 0 };
   *out = (vs_fit_result){ 0 };

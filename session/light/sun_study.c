@@ -452,7 +452,7 @@ vs_outcome vs_sun_study(vs_scheme *vm, const vs_sun_span *span, const char *fold
   if (vs_session_busy(s, "vs_sun_study")) return VS_OUTCOME_USAGE;
   vs_output_options own = vs_output_options_default();
   const vs_output_options *o = &own;
-  vs_session_take_options(&own, sizeof own, options);
+  vs_session_take_options(&own, sizeof own, VS_FIRST_OUTPUT_OPTIONS, options);
   vs_ref *refs = NULL;
   size_t count = 0;
   *out = (vs_sun_summary){ 0 };
