@@ -445,6 +445,20 @@ VS_API const char *vs_input_name(const vs_scheme *s, size_t index);
 /* Records a file that the host itself has read, for vs_is_input. Returns false if memory is out. */
 VS_API bool vs_note_input(vs_scheme *s, const char *path);
 
+typedef struct {
+  const char *form; /* "plane", "cylinder", "sphere", "cone" or "torus"; "surface" for others; NULL if there is none */
+  double area;      /* area of the face on its surface, in square model units; for "surface" that of its facets */
+  double at[3];     /* a point of the plane, or of the cylinder's axis; the centre of the sphere or torus; the cone's
+                     * apex */
+  double axis[3];   /* unit normal of the plane; unit direction of the axis of the cylinder, cone or torus */
+  double radius;    /* of the cylinder, the sphere, or the torus's middle circle */
+  double tube;      /* radius of the torus's tube */
+  double angle;     /* angle between the cone's axis and its sides */
+} vs_face_info;
+/* Finds the face nearest to a point, among the faces of the drawn solids whose bounds contain the point. Solids are
+ * evaluated for it. */
+VS_API vs_outcome vs_drawing_face(vs_scheme *s, const double point[3], vs_face_info *out);
+
 VS_API void vs_drawing_clear(vs_scheme *s); /* clears the drawing, as (erase-all) does; also forgets the objects that
                                              * top-level expressions returned */
 

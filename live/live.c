@@ -477,6 +477,40 @@ static void run_export(live *l, live_wish *w) {
   live_wish_finish(&l->publish, w, outcome, bytes);
 }
 
+/* Describes the face at the point that the request names, as JSON; "{}" if no face is there. */
+static void run_face(live *l, live_wish *w) {
+  vs_face_info face;
+  live_text t = { 0 };
+  double at[3];
+  int end = 0;
+  vs_outcome outcome = VS_OUTCOME_USAGE;
+  if (sscanf(w->value, "%lf,%lf,%lf%n", &at[0], &at[1], &at[2], &end) == 3 && !w->value[end]) {
+    l->began = now();
+    l->overtaken = false;
+    outcome = vs_drawing_face(l->scheme, at, &face);
+    vs_interrupt_clear(l->scheme);
+  }
+  if (outcome == VS_OUTCOME_DONE && face.form != NULL) {
+    const struct { const char *name; double at; } numbers[] = {
+      { "area", face.area }, { "radius", face.radius }, { "tube", face.tube }, { "angle", face.angle },
+    };
+    live_putf(&t, "{\"form\":\"%s\",\"at\":[%.17g,%.17g,%.17g],\"axis\":[%.17g,%.17g,%.17g]", face.form, face.at[0],
+              face.at[1], face.at[2], face.axis[0], face.axis[1], face.axis[2]);
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
+      live_putf(&t, ",\"%s\":%.17g", numbers[i].name, numbers[i].at);
+    live_puts(&t, "}");
+  } else if (outcome == VS_OUTCOME_DONE) live_puts(&t, "{}");
+  live_wish_finish(&l->publish, w, outcome, t);
+}
+
+/* Handles a request for whose result a thread waits, and passes it to that thread. Returns false for other requests. */
+static bool run_answered(live *l, live_wish *w) {
+  if (w->kind == LIVE_EXPORT) run_export(l, w);
+  else if (w->kind == LIVE_FACE) run_face(l, w);
+  else return false;
+  return true;
+}
+
 /* Handles the request w of a window. Returns true if the model must run again. `again`: whether an earlier request
  * already requires this. */
 static bool run_wish(live *l, live_wish *w, bool again) {
@@ -492,10 +526,7 @@ static bool run_wish(live *l, live_wish *w, bool again) {
   } else {
     if (again) run_model(l);
     again = false;
-    if (w->kind == LIVE_EXPORT) {
-      run_export(l, w); /* passes the request w to the thread that waits for the result */
-      return false;
-    }
+    if (run_answered(l, w)) return false;
     if (w->kind == LIVE_INPUT) run_input(l, w);
     else run_prompt(l, w->value);
   }
@@ -738,10 +769,7 @@ void live_follow_show(live_follower *l) { finish(l, VS_OUTCOME_DONE); }
 live_asked live_follow_asked(live_follower *l) {
   live_asked asked = { LIVE_NOTHING, NULL, NULL };
   for (live_wish *w; asked.kind == LIVE_NOTHING && (w = live_wish_take(&l->publish, &l->publish.wishes, 0)) != NULL;) {
-    if (w->kind == LIVE_EXPORT) {
-      run_export(l, w);
-      continue;
-    }
+    if (run_answered(l, w)) continue;
     if (w->kind != LIVE_TRY) {
       asked = (live_asked){ w->kind == LIVE_SET ? LIVE_ASKED_SET : LIVE_ASKED_PROMPT, w->name, w->value };
       w->name = w->value = NULL;

@@ -26,7 +26,8 @@ typedef enum {
   LIVE_SET,    /* sets a parameter */
   LIVE_TRY,    /* tries an unsaved text of the model; an empty text returns to the file */
   LIVE_INPUT,  /* passes an action of the user to the scene: the kind of the action, and the ray under the mouse */
-  LIVE_PROMPT, LIVE_EXPORT
+  LIVE_PROMPT, LIVE_EXPORT,
+  LIVE_FACE    /* describes the face at a point of the model */
 } live_wish_kind;
 typedef struct live_wish {
   live_wish_kind kind;
@@ -37,7 +38,7 @@ typedef struct live_wish {
                         * LIVE_RECORD; otherwise NULL */
   char *id;            /* if kind is EXPORT: name that the window has given the request, for events about its progress,
                         * or ""; otherwise NULL */
-  bool done;           /* if kind is EXPORT: whether the result is ready for the thread that waits for it */
+  bool done;           /* if kind is EXPORT or FACE: whether the result is ready for the thread that waits for it */
   live_text result;    /* result of the request; if it failed: the reason, in one line */
   vs_outcome outcome;
   bool cancelled;      /* for an EXPORT that a side (aside.h) makes: whether the window has cancelled the request, so

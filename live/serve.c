@@ -363,24 +363,11 @@ static enum MHD_Result wish(live_server *s, struct MHD_Connection *c, live_wish_
                                                            : answer_text(s, c, 503, "too many requests are waiting\n");
 }
 
-/* GET: answers with the current drawing in a format; a saved file may interrupt it. POST: answers with the drawing that
- * the model has for the parameter values in the body. The side (aside.h) makes it; `id` is the window's name for the
- * request. */
-static enum MHD_Result export(live_server *s, struct MHD_Connection *c, const live_text *values) {
-  const char *format = query(s, c, "format"), *size = query(s, c, "size"), *id = query(s, c, "id");
-  const vs_format_info *info = format != NULL ? vs_format_find(format) : NULL;
+/* Puts a request into a queue, waits for its result, and answers with it. Takes ownership of w. */
+static enum MHD_Result await(live_server *s, struct MHD_Connection *c, live_queue *queue, live_wish *w,
+                             const char *type) {
   live_publish *p = s->publish;
-  if (values != NULL && s->model == NULL) return answer_text(s, c, 404, NO_SOURCE);
-  if (info != NULL && info->worker != NULL && s->options->read_only) return answer_text(s, c, 403, READ_ONLY);
-  live_wish *w = info != NULL ? live_wish_new(LIVE_EXPORT, info->name, size != NULL ? size : "") : NULL;
-  if (w == NULL) return answer_text(s, c, 400, "there is no such format\n");
-  w->given = strdup(values != NULL && values->at != NULL ? values->at : "");
-  w->id = strdup(id != NULL ? id : "");
-  if (w->given == NULL || w->id == NULL) {
-    live_wish_free(w);
-    return answer_text(s, c, 500, "out of memory\n");
-  }
-  if (!live_wish_put(p, values != NULL ? &p->asides : &p->wishes, w))
+  if (!live_wish_put(p, queue, w))
     return answer_text(s, c, 503, "too many requests are waiting\n");
   struct timespec until;
   clock_gettime(CLOCK_MONOTONIC, &until);
@@ -398,7 +385,7 @@ static enum MHD_Result export(live_server *s, struct MHD_Connection *c, const li
   vs_outcome outcome = w->outcome;
   bool cancelled = w->cancelled;
   live_wish_free(w);
-  if (outcome == VS_OUTCOME_DONE) return answer_live_text(s, c, "application/octet-stream", &t);
+  if (outcome == VS_OUTCOME_DONE) return answer_live_text(s, c, type, &t);
   unsigned status = cancelled || outcome == VS_OUTCOME_INTERRUPTED ? 499 : 422;
   enum MHD_Result result = answer_text(s, c, status,
                                        t.length > 0    ? t.at
@@ -406,6 +393,34 @@ static enum MHD_Result export(live_server *s, struct MHD_Connection *c, const li
                                                        : "the output was not made; the messages say why\n");
   live_text_free(&t);
   return result;
+}
+
+/* GET: answers with the current drawing in a format; a saved file may interrupt it. POST: answers with the drawing that
+ * the model has for the parameter values in the body. The side (aside.h) makes it; `id` is the window's name for the
+ * request. */
+static enum MHD_Result export(live_server *s, struct MHD_Connection *c, const live_text *values) {
+  const char *format = query(s, c, "format"), *size = query(s, c, "size"), *id = query(s, c, "id");
+  const vs_format_info *info = format != NULL ? vs_format_find(format) : NULL;
+  live_publish *p = s->publish;
+  if (values != NULL && s->model == NULL) return answer_text(s, c, 404, NO_SOURCE);
+  if (info != NULL && info->worker != NULL && s->options->read_only) return answer_text(s, c, 403, READ_ONLY);
+  live_wish *w = info != NULL ? live_wish_new(LIVE_EXPORT, info->name, size != NULL ? size : "") : NULL;
+  if (w == NULL) return answer_text(s, c, 400, "there is no such format\n");
+  w->given = strdup(values != NULL && values->at != NULL ? values->at : "");
+  w->id = strdup(id != NULL ? id : "");
+  if (w->given == NULL || w->id == NULL) {
+    live_wish_free(w);
+    return answer_text(s, c, 500, "out of memory\n");
+  }
+  return await(s, c, values != NULL ? &p->asides : &p->wishes, w, "application/octet-stream");
+}
+
+/* Answers with the description of the face at a point of the model (live.c). */
+static enum MHD_Result serve_face(live_server *s, struct MHD_Connection *c) {
+  const char *at = query(s, c, "at");
+  live_wish *w = at != NULL ? live_wish_new(LIVE_FACE, "", at) : NULL;
+  if (w == NULL) return answer_text(s, c, 400, "a point is missing\n");
+  return await(s, c, &s->publish->wishes, w, "application/json");
 }
 
 /* Answers with the page. The page's editor adds style sheets. The security policy allows them by a nonce (a random
@@ -449,6 +464,7 @@ static enum MHD_Result dispatch(live_server *s, struct MHD_Connection *c, const 
   if (get && strcmp(url, "/names") == 0) return serve_names(s, c);
   if (get && strcmp(url, "/name") == 0) return serve_name(s, c);
   if (get && strcmp(url, "/formats") == 0) return serve_formats(s, c);
+  if (get && strcmp(url, "/face") == 0) return serve_face(s, c);
   if ((get || post) && strcmp(url, "/export") == 0) return export(s, c, post ? body : NULL);
   if (post && strcmp(url, "/cancel") == 0 && query(s, c, "id") != NULL) {
     live_wish_cancel(s->publish, query(s, c, "id"));

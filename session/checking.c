@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "bind/objects.h"
-#include "session/comparison.h"
+#include "session/drawing/comparison.h"
 #include "session/evaluation.h"
 #include "session/handles.h"
 #include "session/host.h"

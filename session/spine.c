@@ -32,7 +32,7 @@
 #include "passes/looks.h"
 #include "passes/optimise.h"
 #include "passes/sugar.h"
-#include "session/comparison.h"
+#include "session/drawing/comparison.h"
 #include "session/evaluation.h"
 #include "session/host.h"
 #include "session/light/pictures.h"
@@ -556,6 +556,11 @@ vs_outcome vs_session_take(vs_session *s, vs_ref **out, size_t *count) {
   vs_tally_enter(&s->tally, VS_WORK_NONE);
   if (ok) *out = refs, *count = n;
   return outcome;
+}
+
+void vs_session_give_back(vs_session *s, vs_ref *refs, size_t count) {
+  for (size_t i = 0; i < count; i++) vs_node_release(refs[i].node);
+  if (refs) vs_store_realloc(s->bind.store, refs, (count + 1) * sizeof *refs, 0);
 }
 
 void vs_output_options_init(vs_output_options *o, size_t size) {

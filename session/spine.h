@@ -28,5 +28,7 @@ void vs_session_aim(const vs_output_options *o, vs_scene *scene);
  * retained, and the store allocated the array of *count + 1 elements. Reports a failure to the host, and returns the
  * outcome. */
 vs_outcome vs_session_take(vs_session *s, vs_ref **out, size_t *count);
+/* Frees references from vs_session_take. */
+void vs_session_give_back(vs_session *s, vs_ref *refs, size_t count);
 
 #endif

@@ -24,7 +24,7 @@
 #include <string.h>
 
 #include "session/advice.h"
-#include "session/comparison.h"
+#include "session/drawing/comparison.h"
 #include "session/fit/scan_fit.h"
 #include "session/handles.h"
 #include "session/host_meshes.h"

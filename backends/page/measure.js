@@ -1,13 +1,15 @@
 // Contains the measuring tool: what the user has clicked, the readings, and their marks over the picture.
 //
 // A mark is a corner, an edge or a face (snap() of pick.js). Two marks make a reading. Readings stay until the user
-// takes them away, or the model runs again.
+// takes them away, or the model runs again. In the live view the server describes the surface of a face: then the axis
+// of a cylinder, and the centre of a sphere or torus, is measured instead of a facet.
 import * as THREE from "three";
 import { length } from "./lengths.js";
 import { svg } from "./dom.js";
 
 // Positions are numbers of 32 bits, relative to the middle of the model: directions of small parts have few digits.
 const PARALLEL = 1e-3; // Greatest sine of the angle between parallel directions.
+const ENDLESS = 1e4;   // Half of the length of an axis, in radii.
 
 const way = (edge) => edge.ends[1].clone().sub(edge.ends[0]).normalize();
 const angle = (p, q) => (Math.acos(Math.min(1, Math.abs(p.dot(q)))) * 180 / Math.PI).toFixed(1) + "°";
@@ -22,9 +24,29 @@ function nearest([a, b], [c, d]) {
   return [a.clone().addScaledVector(u, s), c.clone().addScaledVector(v, t)];
 }
 
+// Returns what the distance from a mark is measured to: the mark, or the axis, centre or apex of its surface.
+function element(mark) {
+  const s = mark.surface;
+  if (!s) return mark;
+  if (s.form === "cylinder") {
+    const foot = s.at.clone().addScaledVector(s.axis, mark.at.clone().sub(s.at).dot(s.axis));
+    const ends = [-1, 1].map((k) => foot.clone().addScaledVector(s.axis, k * ENDLESS * s.radius));
+    return { kind: "edge", at: foot, ends, length: 0, name: "axis" };
+  }
+  if (s.form === "plane") return { ...mark, normal: s.axis };
+  return s.form === "surface" ? mark : { kind: "point", at: s.at, name: s.form === "cone" ? "apex" : "centre" };
+}
+
 // Returns the reading of two marks: { words, from, to }, the text and the points between which it was taken. units is
 // the name of the unit of length.
 export function between(a, b, units) {
+  [a, b] = [element(a), element(b)];
+  const names = [...new Set([a.name, b.name].filter(Boolean))].map((name) => name + "   ").join("");
+  const reading = measured(a, b, units);
+  return { ...reading, words: names + reading.words };
+}
+
+function measured(a, b, units) {
   const rank = { point: 0, edge: 1, face: 2 };
   if (rank[a.kind] > rank[b.kind]) [a, b] = [b, a];
   const gap = (from, to, before = "") => {
@@ -53,7 +75,12 @@ export function between(a, b, units) {
 // Returns the text for a single mark. middle is the model's middle, to which marks are relative.
 export function alone(a, units, middle) {
   if (a.kind === "point") return a.at.toArray().map((v, k) => length(v + middle[k])).join(", ");
-  return a.kind === "edge" ? length(a.length, units) : length(a.area, units + "²");
+  if (a.kind === "edge") return length(a.length, units);
+  const s = a.surface, area = length((s || a).area, units + "²");
+  if (!s || s.form === "plane" || s.form === "surface") return area;
+  if (s.form === "cone") return `half angle ${(s.angle * 180 / Math.PI).toFixed(2)}°   ${area}`;
+  const radius = `radius ${length(s.radius, units)}`;
+  return s.form === "torus" ? `${radius}   tube ${length(s.tube, units)}   ${area}` : `${radius}   ${area}`;
 }
 
 export class Measures {
@@ -80,6 +107,15 @@ export class Measures {
     const reading = { ...between(this.open, mark, units), marks: [this.open, mark] };
     this.readings.push(reading);
     this.open = null;
+    return reading.words;
+  }
+  // Gives a mark the surface of its face, and returns the text that has changed, or null if the mark has gone.
+  describe(mark, surface, units, middle) {
+    mark.surface = surface;
+    if (mark === this.open) return alone(mark, units, middle);
+    const reading = this.readings.find((r) => r.marks.includes(mark));
+    if (!reading) return null;
+    Object.assign(reading, between(...reading.marks, units));
     return reading.words;
   }
 

@@ -41,6 +41,7 @@ export class Viewer {
     this.measures = new Measures();
     this.beside = () => 0; // Returns the number of pixels at the picture's right border that something covers.
     this.onSelect = () => {};
+    this.faceAt = null; // async (point): describes the face there, as the live view's server does
     this.#build();
     this.grid = new Grid(this.stage);
     this.cube = new ViewCube(this.control, { view: (name) => this.view(name), from: (yaw, pitch) => { this.control.from(yaw, pitch); this.#pressed(); } });
@@ -55,7 +56,7 @@ export class Viewer {
     new ResizeObserver(() => {
       this.stage.resize();
       if (!this.model) return;
-      if (!this.touched) this.control.reset();
+      if (!this.touched) this.reframe();
       else this.control.apply();
     }).observe(this.root);
     for (const name of ["pointerdown", "wheel", "keydown"]) this.canvas.addEventListener(name, () => { this.touched = true; }, { passive: true });
@@ -305,6 +306,7 @@ export class Viewer {
     if (this.measuring) {
       const found = snap(this.stage, x, y);
       if (found) this.say(this.measures.add(found, this.model.units, this.model.middle));
+      if (found?.kind === "face") this.#describeFace(found);
       return this.#drawOverlay();
     }
     this.onRay?.(this.#worldRay(x, y));
@@ -313,6 +315,17 @@ export class Viewer {
     if (hit) this.say(this.describe(hit.part));
     this.select(hit ? [hit.part] : []);
     this.hit = null;
+  }
+
+  // Asks for the surface of a face that the user has clicked, and measures it instead of its facets.
+  async #describeFace(mark) {
+    const { middle, units } = this.model, from = (p) => new THREE.Vector3(...p.map((v, k) => v - middle[k]));
+    const s = await this.faceAt?.(mark.at.toArray().map((v, k) => v + middle[k]));
+    if (!s?.form) return;
+    const words = this.measures.describe(mark, { ...s, at: from(s.at), axis: new THREE.Vector3(...s.axis) }, units, middle);
+    if (words === null) return;
+    this.say(words);
+    this.#drawOverlay();
   }
 
   describe(i) {
@@ -424,14 +437,22 @@ export class Viewer {
     this.#frameHandles();
     this.#drawOverlay();
   }
-  // If handles are outside of the picture, frames them together with the model. Does so only once, and only if the user
+  // Frames the model and its handles anew, unless the user has moved the camera.
+  reframe() {
+    if (!this.model || this.touched) return;
+    this.control.reset();
+    this.handlesFramed = false;
+    this.#frameHandles();
+  }
+  // If handles are outside of the picture, or covered, frames them together with the model. Does so only once, and only if the user
   // has not moved the camera.
   #frameHandles() {
     if (!this.model || this.touched || this.handlesFramed || this.handles.length === 0) return;
     this.handlesFramed = true;
     // Distant handles are ignored, because the model would become tiny.
     const empty = this.model.count === 0, near = (p) => empty || p.distanceTo(this.stage.center) < 3 * this.stage.radius, points = this.handles.map((h) => this.#fromModel(h.at)).filter(near);
-    const seen = (p) => { const q = p.clone().project(this.stage.camera); return Math.abs(q.x) < 0.9 && Math.abs(q.y) < 0.8 && q.z < 1; };
+    const right = 0.9 - 2 * this.beside() / Math.max(1, this.canvas.clientWidth);
+    const seen = (p) => { const q = p.clone().project(this.stage.camera); return q.x > -0.9 && q.x < right && Math.abs(q.y) < 0.8 && q.z < 1; };
     this.stage.camera.updateMatrixWorld();
     if (!empty && points.every(seen)) return;
     const { min, max } = this.model.box, room = empty ? 1 : 0;

@@ -15,58 +15,22 @@
 #include "bind/print.h"
 #include "bind/queries.h"
 #include "bind/shapes/taken_apart.h"
-#include "geometry/measure/face_edges.h"
 #include "geometry/measure/moved_faces.h"
-#include "geometry/measure/node_measures.h"
 #include "geometry/shapes/simple_nodes.h"
 #include "model/store/array.h"
-#include "solids/solid_meshes.h"
+#include "solids/faced_solid.h"
 
-/* A solid's mesh with its faces and edges. */
-typedef struct {
-  vs_solid solid;
-  vs_mesh_edges edges;
-  vs_mesh_faces faces;
-} faced;
-
-static void faced_free(faced *s) {
-  vs_mesh_faces_free(&s->faces);
-  vs_mesh_edges_free(&s->edges);
-  vs_solid_free(&s->solid);
-}
-
-/* Returns true if the triangles of the primitive n approximate a curved surface. Hulls of points and extruded polygons
- * do not. */
-static bool is_round(const vs_node *n) {
-  if (!n || !vs_node_has(n, VS_IS_ROUND)) return false;
-  if (n->kind == VS_HULL) return n->child_count > 0;
-  if (n->kind != VS_EXTRUDE || n->child_count != 1 || VS_AS(extrude, n)->twist != 0) return true;
-  const vs_node *profile = n->children[0].node;
-  return profile->kind != VS_LINE && !vs_node_is_outline(profile);
-}
-
-static vs_status find(vs_args *f, faced *s) {
+static vs_status find(vs_args *f, vs_faced_solid *s) {
   vs_scheme *vm = vs_call_vm(f);
   vs_error e = { 0 };
-  vs_bounds b;
   vs_fineness facets = { .tolerance = vs_bind_tolerance(vm), .segments = vs_bind_segments(vm) };
   vs_kernel_options options = { .job = vs_bind_job(vm) };
-  if (!vs_node_bounds(vs_arg_ref(f, 0).node, &b, &e)) return vs_bind_error(vm, &e);
-  if (!(facets.tolerance > 0)) facets.tolerance = fmax(vs_fineness_tolerance(&b) / 4, 1e-300);
-  if (!vs_solid_of_leaves(vs_arg_ref(f, 0), &facets, &options, &s->solid, &e))
-    return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(vm, &e);
-  const vs_mesh *m = &s->solid.mesh;
-  bool *round = NULL, ok = VS_FRESH(round, m->triangle_count + 1) && vs_mesh_edges_make(&s->edges, m);
-  for (size_t t = 0; ok && t < m->triangle_count; t++) {
-    round[t] = is_round(s->solid.parts[m->tags[t]].leaf.node);
-  }
-  ok = ok && vs_mesh_faces_find(&s->edges, m->tags, round, &s->faces);
-  free(round);
-  return ok ? VS_OK : vs_fail_memory(vm);
+  if (vs_faced_solid_find(vs_arg_ref(f, 0), &facets, &options, s, &e)) return VS_OK;
+  return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(vm, &e);
 }
 
 /* Sets *out to a surface that consists of the triangles of one face. */
-static vs_status surface_of(vs_args *f, const faced *s, uint32_t face, vs_value *out) {
+static vs_status surface_of(vs_args *f, const vs_faced_solid *s, uint32_t face, vs_value *out) {
   vs_mesh m = { 0 };
   uint32_t *name = NULL;
   const vs_mesh *all = &s->solid.mesh;
@@ -101,7 +65,7 @@ static bool list_of(vs_args *f, const vs_value *items, size_t n, vs_value *out) 
 
 /* Sets *out to the description of a face: (form area normal point radius surface object). object: the primitive to
  * which the face belongs. */
-static bool give_face(vs_args *f, const faced *s, uint32_t face, vs_value *out) {
+static bool give_face(vs_args *f, const vs_faced_solid *s, uint32_t face, vs_value *out) {
   const vs_mesh_face *g = &s->faces.faces[face];
   VS_ROOTS(vs_call_vm(f), r, 7);
   vs_ref leaf = s->solid.parts[s->solid.mesh.tags[g->first]].leaf;
@@ -112,7 +76,7 @@ static bool give_face(vs_args *f, const faced *s, uint32_t face, vs_value *out) 
 }
 
 /* Sets *out to the description of edge i: (face face closed? angle point ...). */
-static bool give_edge(vs_args *f, const faced *s, size_t i, vs_value *out) {
+static bool give_edge(vs_args *f, const vs_faced_solid *s, size_t i, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   const vs_face_edge *g = &s->faces.edges[i];
   VS_ROOTS(vm, r, 5);
@@ -130,7 +94,7 @@ static bool give_edge(vs_args *f, const faced *s, size_t i, vs_value *out) {
 /* (%solid-faces o): returns a pair: the list of the solid's faces, and the list of its edges. */
 vs_status vs_p_solid_faces(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
-  faced s = { 0 };
+  vs_faced_solid s = { 0 };
   VS_ROOTS(vm, r, 3);
   r[0] = r[1] = VS_NIL;
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
@@ -139,7 +103,7 @@ vs_status vs_p_solid_faces(vs_args *f, vs_value *out) {
     ok = give_face(f, &s, i, &r[2]) && vs_cons(vm, r[2], r[0], &r[0]);
   for (size_t i = s.faces.edge_count; ok && i-- > 0;)
     ok = give_edge(f, &s, i, &r[2]) && vs_cons(vm, r[2], r[1], &r[1]) && vs_poll(vm, 8);
-  faced_free(&s);
+  vs_faced_solid_free(&s);
   return ok && vs_cons(vm, r[0], r[1], out) ? VS_OK : VS_ERROR;
 }
 
@@ -163,7 +127,7 @@ static vs_vec3 place_of(vs_value v) {
 
 /* Sets *out to the moves of the faces from argument 1: for each face a number (a distance), or a list of a point and a
  * normal (its new plane). */
-static vs_status take_moves(vs_args *f, const faced *s, vs_face_move **out) {
+static vs_status take_moves(vs_args *f, const vs_faced_solid *s, vs_face_move **out) {
   size_t n = s->faces.face_count, i = 0;
   vs_face_move *m = vs_bind_scratch(f, (n + 1) * sizeof *m);
   if (!m) return VS_ERROR;
@@ -183,7 +147,7 @@ static vs_status take_moves(vs_args *f, const faced *s, vs_face_move **out) {
  * failure, and #t if a face would be turned over there, or #f if faces do not intersect there. */
 vs_status vs_p_move_faces(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
-  faced s = { 0 };
+  vs_faced_solid s = { 0 };
   vs_face_move *moves = NULL;
   vs_mesh m = { 0 };
   vs_vec3 at = { 0, 0, 0 };
@@ -200,7 +164,7 @@ vs_status vs_p_move_faces(vs_args *f, vs_value *out) {
     ok = vs_bind_give_point(f, at, &r[1]) && vs_cons(vm, r[0], VS_NIL, &r[0]) && vs_cons(vm, r[1], r[0], out);
   }
   vs_mesh_free(&m);
-  faced_free(&s);
+  vs_faced_solid_free(&s);
   return ok ? VS_OK : VS_ERROR;
 }
 

@@ -178,7 +178,7 @@ LEFT_OUT = {
         "vs_output_statistics vs_view_name vs_part_names"),
     "the command vs does this with files, and no value of the program takes part": (
         "vs_drawing_keep vs_drawing_compare vs_check_waits vs_check_next vs_check_redefined vs_fit_options_init vs_fit vs_fit_parameter_get vs_fit_distances "
-        "vs_fit_map vs_picture_tone vs_picture_false_color vs_picture_illuminance vs_picture_pick vs_picture_compare vs_picture_denoise vs_picture_join vs_picture_tile_top vs_report_get vs_rule_get "
+        "vs_fit_map vs_picture_tone vs_picture_false_color vs_picture_illuminance vs_picture_pick vs_picture_compare vs_picture_denoise vs_picture_join vs_picture_tile_top vs_report_get vs_rule_get vs_drawing_face "
         "vs_sun_study vs_is_input vs_input_name vs_note_input"),
     "meshes() hands over what a format of Python's would write": (
         "vs_register_format vs_output_write vs_output_print vs_output_number vs_output_fail vs_thing_numbers "

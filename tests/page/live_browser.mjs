@@ -295,6 +295,23 @@ await test("measuring says lengths", async (want) => {
   await page.keyboard.press("Escape");
 });
 
+await test("a click on a ball measures its radius and whole area", async (want) => {
+  await page.locator(".console input").fill("(draw (make-sphere (xyz 4 0 6) 1))");
+  await after(() => page.keyboard.press("Enter"));
+  await page.evaluate(() => { window.visualscheme.view("front"); });
+  await page.locator('[data-do="measure"]').click();
+  await page.waitForFunction(() => !window.visualscheme.control.motion);
+  const p = await onScreen([4.3, -Math.sqrt(1 - 0.09 - 0.04), 6.2]);
+  await page.mouse.click(p.x, p.y);
+  const says = page.locator(".live[role=status]");
+  await page.waitForFunction(() => document.querySelector(".live[role=status]").textContent.startsWith("radius"), null, { timeout: 10000 }).catch(() => {});
+  want(/^radius 1 m +12\.57 m²$/.test(await says.textContent()), `told: ${await says.textContent()}`);
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("Escape");
+  await after(() => writeFileSync(model, source + "\n"));
+  await after(() => writeFileSync(model, source));
+});
+
 await test("a section shows its cut", async (want) => {
   await page.locator('[data-do="section"]').click();
   await page.locator('.strip [data-axis="y"]').click();

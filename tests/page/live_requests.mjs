@@ -52,7 +52,7 @@ async function test(name, body) {
 }
 
 // The paths that need the token, and a body that each of them takes.
-const paths = [["GET", "/source"], ["GET", "/scene"], ["GET", "/events"], ["GET", "/names?prefix=make"], ["GET", "/name?of=car"], ["GET", "/formats"], ["GET", "/export?format=off"],
+const paths = [["GET", "/source"], ["GET", "/scene"], ["GET", "/events"], ["GET", "/names?prefix=make"], ["GET", "/name?of=car"], ["GET", "/formats"], ["GET", "/export?format=off"], ["GET", "/face?at=0.5,0.5,3"],
   ["POST", "/source?hash=0", "(lost)"], ["POST", "/try", "(lost)"], ["POST", "/set?name=height", "5"], ["POST", "/check", "(car)"], ["POST", "/prompt", "(car 5)"], ["POST", "/input?kind=press", "left 0 0 9 0 0 -1"],
   ["POST", "/export?format=off&id=1", ""], ["POST", "/cancel?id=1", ""], ["POST", "/stop", ""]];
 const faults = { // Each makes the headers of a request, and the statuses that refuse it.

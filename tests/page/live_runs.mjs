@@ -203,6 +203,9 @@ await test("a file that loads itself is told of at once", async (want) => {
   await after(() => writeFileSync(model, box("1.0")));
 });
 
-await test("no script of the page has failed in these runs", async (want) => { want(page.troubles.length === 0, page.troubles.join("; ")); });
+await test("no script of the page has failed in these runs", async (want) => {
+  const troubles = page.troubles.filter((t) => !/status of 499/.test(t)); // The browser reports the cancelled export.
+  want(troubles.length === 0, troubles.join("; "));
+});
 
 await end();

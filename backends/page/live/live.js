@@ -92,6 +92,10 @@ export class Live {
     this.viewer.addHelp([["Source", "Ctrl B folds it and shows it; Esc, then Tab leaves it; B goes through how the model is made; Alt and a drag turn a number, as do Ctrl and the up and down arrows"]]);
     this.viewer.addKeys({ s: () => this.fold(!this.folded) });
     this.viewer.beside = () => this.parameters.root.open && !this.parameters.root.hidden && innerWidth > PHONE ? this.viewer.canvas.getBoundingClientRect().right - this.parameters.root.getBoundingClientRect().left : 0;
+    this.viewer.faceAt = async (at) => {
+      const answer = await ask("/face?at=" + at.join(",")).catch(() => null);
+      return answer?.ok ? answer.json() : null;
+    };
     this.#apart();
     this.source = new Source(this.editorPlace, {
       changed: () => { this.saveButton.disabled = !this.source.dirty; },
@@ -628,8 +632,9 @@ export class Live {
     const { viewer } = this, parameters = this.parameters.root, narrow = () => viewer.root.clientWidth < BOTH;
     parameters.addEventListener("toggle", () => {
       if (parameters.open && narrow() && !viewer.panel.root.hidden) viewer.togglePanel();
-      if (viewer.model && !viewer.touched) viewer.control.reset();
+      viewer.reframe();
     });
+    new MutationObserver(() => viewer.reframe()).observe(parameters, { attributeFilter: ["hidden"] });
     new MutationObserver(() => { if (!viewer.panel.root.hidden && narrow()) parameters.open = false; }).observe(viewer.panel.root, { attributeFilter: ["hidden"] });
   }
 

@@ -1,6 +1,6 @@
 /* Declares the functions of comparison.c, and the data that a session keeps for the comparison of two drawings. */
-#ifndef VS_SESSION_COMPARISON_H
-#define VS_SESSION_COMPARISON_H
+#ifndef VS_SESSION_DRAWING_COMPARISON_H
+#define VS_SESSION_DRAWING_COMPARISON_H
 
 #include "session/session.h"
 

@@ -1,7 +1,7 @@
 /* Implements the comparison of two drawings (visualscheme.h). It keeps the first drawing, and reports the parts of the
  * second drawing that differ (solids/changed_parts.h). Marks such as highlights are removed from the drawings before
  * the comparison. */
-#include "session/comparison.h"
+#include "session/drawing/comparison.h"
 
 #include <string.h>
 
@@ -15,8 +15,7 @@
 #include "solids/changed_parts.h"
 
 static void free_refs(vs_session *s, vs_ref **refs, size_t *count) {
-  for (size_t i = 0; i < *count; i++) vs_node_release((*refs)[i].node);
-  if (*refs) vs_store_realloc(s->bind.store, *refs, (*count + 1) * sizeof **refs, 0);
+  vs_session_give_back(s, *refs, *count);
   *refs = NULL, *count = 0;
 }
 
