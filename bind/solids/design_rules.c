@@ -2,6 +2,7 @@
  * rule causes a warning, a row in the list of the sheet, and marks on objects. */
 #include "bind/solids/design_rules.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "bind/call/context.h"
@@ -39,7 +40,9 @@ static bool break_rule(vs_args *f, const vs_design_rule *r) {
   vs_scene *scene = vs_bind_scene(vs_call_vm(f));
   vs_arg_ref_list marked = vs_arg_refs(f, 4);
   const char *joint = *r->found ? ", where " : "";
-  vs_bind_warn(b, r->found, "rule \"%.80s\" is not met: %.200s%s%.200s", r->name, r->condition, joint, r->found);
+  char text[512]; /* also the kind of the warning: a loop warns of each of its rules */
+  snprintf(text, sizeof text, "rule \"%.80s\" is not met: %.200s%s%.200s", r->name, r->condition, joint, r->found);
+  vs_bind_warn(b, text, "%s", text);
   if (!list_rule(scene, r)) return false;
   for (size_t i = 0; i < marked.count; i++) {
     vs_ref ref = { marked.at[i].node, r->origin };
