@@ -153,20 +153,22 @@ static bool shape_of(vs_args *f, vs_ref ref, vs_part_shape *out, vs_part_box *bo
   return ok;
 }
 
-/* Returns the tolerance for parts like s, relative to their size. `tolerance` is relative if it is positive. A negative
- * one is a length, of which at most a hundredth of the part's size counts. */
-static double relative_tolerance(const vs_part_shape *s, double tolerance) {
-  if (tolerance >= 0) return tolerance;
+/* How much equal parts may differ: a share of their size, or a length, of which at most a hundredth of the size counts.
+ * The larger of the two applies. */
+typedef struct { double share, length; } allowance;
+
+/* Returns the allowance for parts like s as a share of their size. */
+static double allowed_share(const vs_part_shape *s, allowance a) {
   const double size = s->count ? vs_v3_length(s->corners[s->count - 1]) : pow(s->measure, 1.0 / s->dimension);
-  return size > 0 ? fmin(0.01, -tolerance / size) : 0;
+  return size > 0 ? fmax(a.share, fmin(0.01, a.length / size)) : a.share;
 }
 
 /* Sets group[i] to the index of the first part whose shape equals that of part i. */
-static bool find_groups(vs_args *f, const vs_part_shape *shapes, size_t count, double tolerance, size_t *group) {
+static bool find_groups(vs_args *f, const vs_part_shape *shapes, size_t count, allowance allowed, size_t *group) {
   size_t *firsts = vs_bind_scratch(f, (count + 1) * sizeof *firsts), first_count = 0;
   if (!firsts) return false;
   for (size_t i = 0; i < count; i++) {
-    const double slack = relative_tolerance(&shapes[i], tolerance);
+    const double slack = allowed_share(&shapes[i], allowed);
     size_t k = 0;
     while (k < first_count && !vs_part_shapes_equal(&shapes[firsts[k]], &shapes[i], slack)) k++;
     if (k == first_count) firsts[first_count++] = i;
@@ -176,8 +178,8 @@ static bool find_groups(vs_args *f, const vs_part_shape *shapes, size_t count, d
   return true;
 }
 
-/* (%part-groups parts tolerance): returns a list with, for each part, the index of the first part that has the same
- * shape (relative_tolerance). */
+/* (%part-groups parts tolerance length): returns a list with, for each part, the index of the first part that has the
+ * same shape, up to the allowance of both numbers. */
 vs_status vs_p_part_groups(vs_args *f, vs_value *out) {
   vs_scheme *vm = vs_call_vm(f);
   const size_t n = vs_arg_refs(f, 0).count;
@@ -188,7 +190,7 @@ vs_status vs_p_part_groups(vs_args *f, vs_value *out) {
     ok = shape_of(f, vs_arg_refs(f, 0).at[made], &shapes[made], NULL) && vs_poll(vm, 64);
     made++;
   }
-  ok = ok && find_groups(f, shapes, n, vs_arg_real(f, 1), group);
+  ok = ok && find_groups(f, shapes, n, (allowance){ vs_arg_real(f, 1), vs_arg_real(f, 2) }, group);
   for (size_t i = 0; shapes && i < made; i++) vs_part_shape_free(&shapes[i]);
   VS_ROOTS(vm, r, 1);
   r[0] = VS_NIL;

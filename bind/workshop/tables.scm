@@ -129,16 +129,17 @@
     ((and (object? parts) (look? parts)) (%schedule-objects parts))
     (else (part parts))))
 
-; Returns a list of lists: the parts that are equal, up to place and turn, in the order of their first parts.
-(define (%groups-of who parts tolerance)
+; Returns a list of lists: the parts that are equal, up to place and turn, in the order of their first parts. Equal parts
+; may differ by a share of their size or by a length, whichever is more.
+(define (%groups-of who parts tolerance length)
   (let ((parts (%flat-parts who parts)) (groups (make-hash)))
-    (for-each (lambda (part first) (hash-set! groups first (cons part (hash-ref groups first '())))) parts (%part-groups (map %drawn parts) tolerance))
+    (for-each (lambda (part first) (hash-set! groups first (cons part (hash-ref groups first '())))) parts (%part-groups (map %drawn parts) tolerance length))
     (map (lambda (group) (reverse (cdr group))) (hash->list groups))))
 (define (%need-part-tolerance who tolerance)
   (if (not (and (real? tolerance) (< 0 tolerance 1))) (error who "#:tolerance must be a number between 0 and 1, got ~s" tolerance)))
 (define (part-groups parts #:tolerance [tolerance any? 1e-6])
   (%need-part-tolerance 'part-groups tolerance)
-  (%groups-of 'part-groups parts tolerance))
+  (%groups-of 'part-groups parts tolerance 0))
 
 ; Returns the lengths of the smallest box around a part, the largest first.
 (define (part-size o)
@@ -169,7 +170,7 @@
     (map (lambda (group) (reverse (cdr group))) (hash->list groups))))
 
 ; Returns rows: a head, then a row for each set of equal parts: their mark, their number, and the other columns. Rounded
-; lengths make parts equal that differ by less than half of the last digit, which a negative tolerance says.
+; lengths make parts equal that differ by less than half of the last digit; a tolerance replaces this rule.
 (define (cut-list parts #:digits [digits any? #f] #:tolerance [tolerance any? #f] #:densities [densities any? '()] . columns)
   (if digits (%need-digits 'cut-list digits))
   (if tolerance (%need-part-tolerance 'cut-list tolerance))
@@ -179,7 +180,9 @@
                          (append '(mark count) %cut-sizes '(name layer material area volume mass)) c)))
             columns)
   (let ((columns (if (null? columns) '(mark count length width thickness) columns))
-        (tolerance (or tolerance (if digits (/ (expt 10. (- digits)) -2) 1e-6))))
+        (groups (if (and digits (not tolerance))
+                    (append-map (lambda (g) (%groups-of-size g digits)) (%groups-of 'cut-list parts 0 (/ (expt 10. (- digits)) 2)))
+                    (%groups-of 'cut-list parts (or tolerance 1e-6) 0))))
     (define (cell c group number size)
       (cond
         ((eq? c 'mark) (%part-mark number))
@@ -189,9 +192,7 @@
           (let ((cells (map car (cdr (schedule (car group) c #:densities densities)))))
             (if (memq c %schedule-sums) (apply + cells) (car cells))))))
     (cons (map %column-head columns)
-          (let loop ((groups (if (< tolerance 0) (append-map (lambda (g) (%groups-of-size g digits)) (%groups-of 'cut-list parts tolerance))
-                                 (%groups-of 'cut-list parts tolerance)))
-                     (number 0))
+          (let loop ((groups groups) (number 0))
             (if (null? groups)
                 '()
                 (let ((size (%clean-size (caar groups) digits)))
