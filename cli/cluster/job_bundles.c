@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/cluster/job_pack.h"
+#include "cli/usage/shell_words.h"
 #include "model/store/array.h"
 
 enum { MOST = 1000 /* greatest number of bundles, since Slurm accepts arrays of at most 1001 jobs by default */ };
@@ -80,15 +81,7 @@ const char **job_words_of_all(const job_record *r, const char *option, const cha
 
 /* ---- scripts ---- */
 
-void job_put_quoted(FILE *to, const char *word) {
-  fputc('\'', to);
-  for (; *word; word++)
-    if (*word == '\'') fputs("'\\''", to);
-    else fputc(*word, to);
-  fputc('\'', to);
-}
-
-static void put_quoted(FILE *to, const char *word) { fputc(' ', to), job_put_quoted(to, word); }
+static void put_quoted(FILE *to, const char *word) { fputc(' ', to), cli_put_quoted(to, word); }
 
 void job_put_unpack(FILE *to, const job_record *r) {
   char path[JOB_PATH_ROOM];
@@ -107,7 +100,7 @@ static void put_folder(FILE *to, const job_record *r) {
 
 static void put_program(FILE *to, const job_record *r) {
   if (r->packed) fputs("\"$vs\"", to);
-  else job_put_quoted(to, r->program);
+  else cli_put_quoted(to, r->program);
 }
 
 /* A run that Slurm has started again keeps failures of the model, which would come again. The script records a node on

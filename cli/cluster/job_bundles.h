@@ -15,8 +15,6 @@ bool job_bundles_make(job_record *r, const cli_part_state *states, size_t first)
  * Returns false after a message. */
 bool job_scripts_write(const job_record *r);
 
-/* Writes the word with quotes as a shell needs them. */
-void job_put_quoted(FILE *to, const char *word);
 /* Writes the line with which a script of a packed batch begins; the line makes the node's own copy of the model. */
 void job_put_unpack(FILE *to, const job_record *r);
 

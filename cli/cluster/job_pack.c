@@ -19,6 +19,7 @@
 #include "cli/cluster/job_bundles.h"
 #include "cli/cluster/job_process.h"
 #include "cli/packages/package_files.h"
+#include "cli/usage/shell_words.h"
 
 typedef struct { const job_record *record; FILE *list, *outside; size_t abroad; } pack;
 
@@ -150,7 +151,7 @@ static void put_folders(FILE *to, const job_record *r) {
     for (const char *at = folders; at && *at; at += strspn(at, ":")) {
       size_t n = strcspn(at, ":");
       char *one = *at == '/' ? NULL : strndup(at, n);
-      if (one) fputs("mkdir -p ", to), job_put_quoted(to, one), fputc('\n', to);
+      if (one) fputs("mkdir -p ", to), cli_put_quoted(to, one), fputc('\n', to);
       free(one), at += n;
     }
   }
@@ -159,7 +160,7 @@ static void put_folders(FILE *to, const job_record *r) {
 static void put_assignment(FILE *to, const char *name, const char *before, const char *value) {
   char *text;
   if (asprintf(&text, "%s%s", before, value) < 0) return;
-  fprintf(to, "%s=", name), job_put_quoted(to, text), fputc('\n', to);
+  fprintf(to, "%s=", name), cli_put_quoted(to, text), fputc('\n', to);
   free(text);
 }
 
@@ -218,7 +219,7 @@ static void put_unpack(FILE *to, const job_record *r) {
   put_assignment(to, "jobs", "", jobs), put_assignment(to, "folder", "", r->directory);
   put_assignment(to, "out", "./", r->results);
   fprintf(to, "run_sample() { \"$vs\" %s --only 1..1 --keep-going -q", r->command);
-  for (size_t i = 0; i < r->part_count; i++) fputc(' ', to), job_put_quoted(to, r->part[i]);
+  for (size_t i = 0; i < r->part_count; i++) fputc(' ', to), cli_put_quoted(to, r->part[i]);
   fputs("; }\n", to);
   fputs(unpack, to);
   put_folders(to, r);

@@ -1,8 +1,10 @@
 /* Finds values of parameters with which a model meets its rules, and prints them as a change of the source.
  *
- * Each round tries the values of each free parameter, from the nearest to the present value on, and keeps the change
- * that breaks the fewest rules. A real number is then halved back towards the present value, and rounded. The rounds
- * end when no rule is broken, or no change helps. */
+ * Each round tries the values of each free parameter, from the lowest on, and keeps the change that breaks the fewest
+ * rules; of equal ones that with the least shortfall, then the nearest. A real number that has met a rule then moves
+ * back towards the present value by bisection, and is rounded. The rounds end when no rule is broken, or no change
+ * helps. At the end each number that an earlier round has changed moves back as far as the later changes permit. */
+#define _GNU_SOURCE
 #include "cli/cure/cure_command.h"
 
 #include <math.h>
@@ -12,6 +14,7 @@
 #include "cli/cure/broken_rules.h"
 #include "cli/cure/source_edit.h"
 #include "cli/usage/output_files.h"
+#include "cli/usage/shell_words.h"
 #include "model/store/array.h"
 
 enum {
@@ -114,16 +117,16 @@ static int fine_decimals(const slider *p) {
 typedef struct { score score; char value[VALUE]; } found;
 
 static void consider(cure *u, slider *p, const char *value, found *best) {
-  if (!going(u) || !strcmp(value, p->value)) return;
+  if (!going(u) || !strcmp(value, p->value) || !strcmp(value, best->value)) return;
   score s = try_value(u, p, value);
   if (s.broken == SIZE_MAX || !better(s, best->score)) return;
   best->score = s;
   snprintf(best->value, VALUE, "%s", value);
 }
 
-/* Moves a found number towards the present value while the score keeps its broken rules, and rounds it. */
-static void refine(cure *u, slider *p, found *best) {
-  double good = strtod(best->value, NULL), bad = strtod(p->value, NULL);
+/* Moves a found number towards the value `from` while the score keeps its broken rules, and rounds it. */
+static void refine(cure *u, slider *p, const char *from, found *best) {
+  double good = strtod(best->value, NULL), bad = strtod(from, NULL);
   int fine = fine_decimals(p);
   char text[VALUE];
   for (int i = 0; i < HALVINGS && going(u); i++) {
@@ -133,9 +136,11 @@ static void refine(cure *u, slider *p, found *best) {
     if (try_value(u, p, text).broken <= best->score.broken) good = middle;
     else bad = middle;
   }
-  for (int decimals = 1; decimals <= fine + 1 && going(u); decimals++) {
-    double unit = pow(10, -decimals), away = good > bad ? ceil(good / unit - 1e-6) : floor(good / unit + 1e-6);
-    number_text(p, away * unit, decimals, text);
+  for (int i = 0; i < 2 * (fine + 1) && going(u); i++) {
+    const int decimals = 1 + i / 2;
+    const double unit = pow(10, -decimals), low = floor(good / unit + 1e-6), high = ceil(good / unit - 1e-6);
+    if (i % 2 && low == high) continue;
+    number_text(p, ((good > bad) == (i % 2 == 0) ? low : high) * unit, decimals, text); /* the nearer one first */
     score s = try_value(u, p, text);
     if (s.broken > best->score.broken) continue;
     best->score = s;
@@ -144,19 +149,29 @@ static void refine(cure *u, slider *p, found *best) {
   }
 }
 
-/* Tries values from low to high. */
+/* Returns the distance of neighbouring values that the parameter allows; 0 if any number is allowed. */
+static double least_step(const slider *p) {
+  return p->step > 0 ? p->step : p->type == VS_PARAMETER_INTEGER ? 1 : 0;
+}
+
+/* Tries values from low to high, each once. */
 static void scan(cure *u, slider *p, double low, double high, found *best) {
-  char text[VALUE];
-  bool whole = p->type == VS_PARAMETER_INTEGER;
-  int steps = whole && high - low < STEPS ? (int)(high - low) : STEPS;
+  char text[VALUE], last[VALUE] = "";
+  const double apart = fmax((high - low) / STEPS, least_step(p));
+  const int steps = apart > 0 ? (int)ceil((high - low) / apart - 1e-9) : 0;
   for (int i = 0; i <= steps; i++) {
     number_text(p, low + (high - low) * i / fmax(steps, 1), fine_decimals(p), text);
-    consider(u, p, text, best);
+    if (strcmp(text, last) != 0) consider(u, p, text, best);
+    memcpy(last, text, VALUE);
   }
 }
 
+/* Returns true if values between those of a scan are allowed, and a number found by it may move between them. */
+static bool refinable(const slider *p) { return p->ranged && least_step(p) == 0; }
+
 /* Finds the best value of one parameter, if one is better than *best. A second scan, about the best value, also
- * finds values that meet the rules between two steps of the first. */
+ * finds values that meet the rules between two steps of the first. While as many rules are broken as before, the least
+ * shortfall is best, however far the value is. */
 static void search(cure *u, slider *p, found *best) {
   score before = best->score;
   for (size_t i = 0; i < p->choice_count; i++) consider(u, p, p->choices[i], best);
@@ -164,11 +179,11 @@ static void search(cure *u, slider *p, found *best) {
   if (!p->ranged) return;
   const double step = (p->max - p->min) / STEPS;
   scan(u, p, p->min, p->max, best);
-  if (*best->value && best->score.broken) {
+  if (*best->value && best->score.broken && step > least_step(p)) {
     double at = strtod(best->value, NULL);
     scan(u, p, fmax(p->min, at - step), fmin(p->max, at + step), best);
   }
-  if (p->type == VS_PARAMETER_REAL && p->step <= 0 && better(best->score, before)) refine(u, p, best);
+  if (refinable(p) && best->score.broken < before.broken) refine(u, p, p->value, best);
 }
 
 /* ---- the parameters ---- */
@@ -190,7 +205,7 @@ static bool keep(cure *u, const vs_parameter_info *p) {
   s.name = strdup(p->name);
   bool ok = s.name && cure_place_keep(&s.at, &p->at) && VS_GROW(u->sliders, u->room, u->count + 1);
   if (ok) u->sliders[u->count++] = s;
-  else free(s.name), free(s.choices);
+  else cure_place_free(&s.at), free(s.name), free(s.choices);
   return ok;
 }
 
@@ -219,16 +234,24 @@ static void free_cure(cure *u) {
 
 /* ---- output ---- */
 
+/* Prints the option -D with the three texts as one word of a shell. */
+static void put_define(const char *name, const char *equals, const char *value) {
+  char *word;
+  if (asprintf(&word, "%s%s%s", name, equals, value) < 0) return;
+  fputs(" -D ", stdout), cli_put_word(stdout, word);
+  free(word);
+}
+
 static void print_changes(const cure *u, const char *file) {
   for (size_t i = 0; i < u->count; i++)
     if (u->sliders[i].changed)
       printf("  %s: from %s to %s\n", u->sliders[i].name, u->sliders[i].was, u->sliders[i].value);
   for (size_t i = 0; i < u->count; i++)
     if (u->sliders[i].changed) cure_print_edit(&u->sliders[i].at, u->sliders[i].name, u->sliders[i].value);
-  printf("vs %s", file);
-  for (size_t i = 0; i < u->c->options->define_count; i++) printf(" -D %s", u->c->options->defines[i]);
+  fputs("vs ", stdout), cli_put_word(stdout, file);
+  for (size_t i = 0; i < u->c->options->define_count; i++) put_define(u->c->options->defines[i], "", "");
   for (size_t i = 0; i < u->count; i++)
-    if (u->sliders[i].changed) printf(" -D %s=%s", u->sliders[i].name, u->sliders[i].value);
+    if (u->sliders[i].changed) put_define(u->sliders[i].name, "=", u->sliders[i].value);
   putchar('\n');
 }
 
@@ -281,14 +304,29 @@ static score improve(cure *u, score now) {
   return best.score;
 }
 
+/* Moves each changed number back towards its value without a cure, as far as all rules stay met. */
+static void tighten(cure *u, score now) {
+  for (size_t i = 0; i < u->count && going(u); i++) {
+    slider *p = &u->sliders[i];
+    if (!p->changed || !refinable(p)) continue;
+    found best = { now, "" };
+    memcpy(best.value, p->value, VALUE);
+    refine(u, p, p->was, &best);
+    memcpy(p->value, best.value, VALUE);
+  }
+}
+
 static vs_outcome find_cure(cure *u, score first) {
   const char *file = u->c->options->sources[0].text;
   score now = first;
-  for (int round = 0; round < ROUNDS && now.broken && going(u); round++) {
+  int rounds = 0;
+  while (rounds < ROUNDS && now.broken && going(u)) {
     score next = improve(u, now);
     if (next.broken == now.broken && next.shortfall >= now.shortfall) break;
     now = next;
+    rounds++;
   }
+  if (!now.broken && rounds > 1) tighten(u, now);
   if (!going(u)) return VS_OUTCOME_INTERRUPTED;
   if (now.broken) {
     printf("%s: none of the tried values of its parameters meets all rules; the best values break %zu\n", file,
