@@ -2,7 +2,8 @@
 # Checks written meshes for self-intersections (tests/tools/crossings.c), in .off and in .stl with its 32-bit
 # numbers: the kernel's workloads (bench/kernel). LONG=1: all but the largest of them. It also runs random trees of
 # boxes through the language (tests/oracle/fuzz.c): (volume o) and the volume of the .off file, which must be closed,
-# equal the count of cells. Joined walls of random plans have no gaps and overlaps (tests/oracle/wall_graphs.vs). LONG=1:
+# equal the count of cells. Joined walls of random plans have no gaps and overlaps (tests/oracle/wall_graphs.vs), curved
+# ones at small angles (tests/oracle/acute_walls.vs), too. LONG=1:
 # straight skeletons are CGAL's (tests/oracle/skeletons_cgal.cc).
 . tests/report.sh
 case $ONLY in ""|solids*) ;; *) exit ;; esac
@@ -56,6 +57,10 @@ esac
 case solids/walls in *"$ONLY"*) # random plans of joined walls; LONG=1: 1,000
   limited 3000 "$vs" --quiet tests/oracle/wall_graphs.vs -D cases="$([ -z "${LONG:-}" ] && echo 12 || echo 1000)" > "$work/why" 2>&1 || echo "ended with $?" >> "$work/why"
   if [ ! -s "$work/why" ]; then echo "ok solids/walls"; else echo "not ok solids/walls"; head -n 24 "$work/why" | sed 's/^/    /'; fi ;;
+esac
+case solids/acute in *"$ONLY"*) # curved walls that meet at 6 to 35 degrees; LONG=1: 1,000
+  limited 3000 "$vs" --quiet tests/oracle/acute_walls.vs -D cases="$([ -z "${LONG:-}" ] && echo 24 || echo 1000)" > "$work/why" 2>&1 || echo "ended with $?" >> "$work/why"
+  if [ ! -s "$work/why" ]; then echo "ok solids/acute"; else echo "not ok solids/acute"; head -n 24 "$work/why" | sed 's/^/    /'; fi ;;
 esac
 case solids/skeletons in *"$ONLY"*) # LONG=1: straight skeletons of 1,000 random outlines with holes, beside CGAL's
   if [ -z "${LONG:-}" ]; then :

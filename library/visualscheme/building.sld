@@ -9,5 +9,5 @@
           clashes clash? clash-kind clash-parts clash-names clash-place clash-volume clash-area clash-gap
           check-print thinnest-wall print-fault? print-fault-kind print-fault-place print-fault-value print-fault-area)
   (import (visualscheme) (building core))
-  (include "building/roofs.scm" "building/paths.scm" "building/joints.scm" "building/walls.scm" "building/openings.scm" "building/curtain_walls.scm"
+  (include "building/roofs.scm" "building/paths.scm" "building/joints.scm" "building/acute_joints.scm" "building/walls.scm" "building/openings.scm" "building/curtain_walls.scm"
            "building/storeys.scm" "building/rooms.scm" "building/room_checks.scm" "building/plan_symbols.scm" "building/clashes.scm" "building/printing.scm" "building/dormers.scm" "building/roof_grids.scm" "building/ifc_classes.scm" "building/design_rules.scm"))

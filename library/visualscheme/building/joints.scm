@@ -64,8 +64,8 @@
         (filter (lambda (i) (< (list-ref (branch-offsets b) i) (+ at slack))) (reverse numbers)))))
 
 ; Returns the seam between the branch l and the next one counter-clockwise, r: stops from the faces to the middle, which is
-; the last. Faces that meet nowhere near, as those of unequal walls in one line, end on the line that halves the sector, which
-; begins at the node: the step between the walls is there, even if the middle of the joint is elsewhere.
+; the last. Faces that meet nowhere near, or only where they have bent, as those of unequal walls in one line, end on the line that
+; halves the sector, which begins at the node: the step between the walls is there, even if the middle of the joint is elsewhere.
 (define (seam l r middle)
   (let* ((angle (sector-angle l r)) (sides (lambda (slack) (cons (lines-beside l middle #t slack) (lines-beside r middle #f slack))))
          (beside (sides -1e-9)) (touching (sides 1e-9))
@@ -73,7 +73,7 @@
          (stops (map (lambda (p) (lines-meet l (car p) r (cdr p) middle)) pairs))
          (flat? (< (abs (- angle pi)) 0.8)) (reach (* 1.5 (+ (branch-size l) (branch-size r))))
          (good? (and (pair? stops) (every values stops)
-                     (every (lambda (s) (or (not flat?) (< (distance (stop-point s) middle) reach))) stops)))
+                     (every (lambda (s) (or (not flat?) (and (<= (max (stop-cut-l s) (stop-cut-r s)) 1) (< (distance (stop-point s) middle) reach)))) stops)))
          (v (vpol 1 (+ (pol-phi (branch-way l)) (/ angle 2)))) (far (* 40 (+ reach 1)))
          (step (step-corner l r middle v angle))
          (end (make-stop middle #f 0 #f 0))
@@ -151,18 +151,22 @@
   (and (= (length sorted) 3)
        (let ((a (first sorted)) (b (second sorted)) (c (third sorted))) (or (with-stem a b c) (with-stem b c a) (with-stem c a b)))))
 
-; Returns for each branch of a joint its end: a list of (point line cut) from its left face to its right face.
+; Returns for each branch of a joint a list: the branch, its end, and the pieces that cut it off. An end is a list of (point
+; line cut) from its left face to its right face.
 (define (joint-ends branches)
-  (if (null? (cdr branches)) (list (cons (car branches) (free-end (car branches))))
-      (let* ((sorted (sort branches < #:key (lambda (b) (pol-phi (branch-way b))))) (middle (joint-middle sorted)) (middle (or (middle-of-stem sorted middle) middle))
-             (next (append (cdr sorted) (list (car sorted)))))
-        (for-each (lambda (l r)
-                    (if (< (sector-angle l r) 0.1)
-                        (error 'join-walls "two walls meet at ~a degrees at ~s: 6 is the least"
-                          (exact (round (radians->degrees (sector-angle l r)))) (branch-node l))))
-          (if (null? (cddr sorted)) (list (car sorted) (cadr sorted)) sorted) next)
-        (let ((seams (map (lambda (l r) (seam l r middle)) sorted next)))
-          (map (lambda (b own before) (cons b (end-between b own before middle))) sorted seams (cons (last seams) seams))))))
+  (let* ((sorted (sort branches < #:key (lambda (b) (pol-phi (branch-way b))))) (minor (minor-branch branches sorted)) (others (remove (lambda (b) (eq? b minor)) branches)))
+    (cond ((null? (cdr branches)) (list (list (car branches) (free-end (car branches)) '())))
+          (minor (cons (list minor (free-end minor) (map branch-piece others)) (joint-ends others)))
+          (else (seamed-ends sorted)))))
+(define (seamed-ends sorted)
+  (let* ((middle (joint-middle sorted)) (middle (or (middle-of-stem sorted middle) middle)) (next (append (cdr sorted) (list (car sorted)))))
+    (for-each (lambda (l r)
+                (if (< (sector-angle l r) 0.1)
+                    (error 'join-walls "two walls meet at ~a degrees at ~s: 6 is the least" (exact (round (radians->degrees (sector-angle l r))))
+                      (branch-node l))))
+      (if (null? (cddr sorted)) (list (car sorted) (cadr sorted)) sorted) next)
+    (let ((seams (map (lambda (l r) (seam l r middle)) sorted next)))
+      (map (lambda (b own before) (list b (end-between b own before middle) '())) sorted seams (cons (last seams) seams)))))
 
 (define (free-end b)
   (map (lambda (o i) (list (aside (branch-node b) (branch-way b) o) i 1)) (branch-offsets b) (iota (length (branch-offsets b)))))

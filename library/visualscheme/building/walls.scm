@@ -154,14 +154,25 @@
          (pieces (append-map (lambda (d points) (pieces-between d points nodes)) all ends))
          (branches (append-map (lambda (p) (list (branch-of p #t) (branch-of p #f))) pieces))
          (found (append-map joint-ends (by-node branches)))
-         (end-of (lambda (p start?) (cdr (find (lambda (e) (and (eq? (branch-piece (car e)) p) (eq? (branch-start? (car e)) start?))) found)))))
+         (end-of (lambda (p start?) (find (lambda (e) (and (eq? (branch-piece (first e)) p) (eq? (branch-start? (first e)) start?))) found)))
+         (loops-of (lambda (p) (layer-loops p (second (end-of p #t)) (second (end-of p #f)))))
+         (areas-of (lambda (p)
+                     (let* ((ends (list (end-of p #t) (end-of p #f))) (cutters (remove (lambda (c) (eq? c p)) (append-map third ends))))
+                       (if (null? cutters) (map (lambda (l) (list (list l))) (loops-of p))
+                           (layers-outside (loops-of p) (map loops-of cutters) (tips-of p ends) (branch-size (car (first ends)))))))))
     (map (lambda (d)
            (let ((own (filter (lambda (p) (eq? (piece-owner p) d)) pieces)))
              (cons d
                (if (null? own) (lone-plan (walling-points d) (walling-closed d) (walling-offsets d) (walling-materials d) (walling-core d))
-                   (let ((loops (map (lambda (p) (layer-loops p (end-of p #t) (end-of p #f))) own)))
-                     (apply map (lambda layer (map list layer)) loops))))))
+                   (let ((layers (apply map append (map areas-of own))))
+                     (if (every null? layers)
+                         (error 'join-walls "the wall from ~s to ~s lies within another one" (first (walling-points d)) (last (walling-points d))))
+                     layers)))))
       all)))
+
+; Returns the nodes where a wall ends and others cut it off, of the ends of one of its pieces.
+(define (tips-of p ends)
+  (filter-map (lambda (e) (and (not (any (lambda (c) (eq? (piece-owner c) (piece-owner p))) (third e))) (branch-node (first e)))) ends))
 
 (define (by-node branches)
   (if (null? branches) '()
@@ -204,11 +215,22 @@
                       nodes (pairs-of (car l))))
               nodes (cdr l)))))))
 
+; Returns the points of a piece without samples of a curve that are so near to an end that its offset would turn back.
+(define (without-near-bends points thickness)
+  (define (from-start points)
+    (if (and (pair? (cddr points)) (< (distance (first points) (second points)) (* 0.2 thickness))
+             (< (angle-between (p->q (first points) (second points)) (p->q (second points) (third points))) 0.15))
+        (from-start (cons (first points) (cddr points)))
+        points))
+  (reverse (from-start (reverse (from-start points)))))
+
 ; Returns the pieces of a wall between the nodes on its path; none for a closed path without nodes.
 (define (pieces-between d points nodes)
   (let* ((total (points-length points))
          (on (sort (filter-map (lambda (n) (call-with-values (lambda () (distance-along points n)) (lambda (s gap) (and (< gap nearly) (cons s n))))) nodes) < #:key car))
-         (made (lambda (points) (piece-of 'join-walls d points (walling-offsets d) (walling-materials d) (walling-core d))))
+         (made (lambda (points)
+                 (piece-of 'join-walls d (without-near-bends points (- (last (walling-offsets d)) (first (walling-offsets d)))) (walling-offsets d)
+                   (walling-materials d) (walling-core d))))
          (between (lambda (a b) (append (list (cdr a)) (drop-right (cdr (part-of points (car a) (car b))) 1) (list (cdr b))))))
     (cond ((null? on) '())
           ((not (walling-closed d)) (map (lambda (a b) (made (between a b))) on (cdr on)))

@@ -96,3 +96,12 @@
 (fails (window (wall (line 0 0 5 0 5 4)) 5 1 1))  ; expect: window: the opening goes around a corner of the wall
 (fails (opening 3 2 1 1))                         ; expect: opening: wall must be a wall, as wall or join-walls return it, got 3
 (fails (let ((w (wall (line 0 0 5 0)))) (join-walls w w))) ; expect: join-walls: the wall from (xyz 0 0 0) to (xyz 5 0 0) is given twice
+
+; A curved wall that leaves a straight one tangentially: the thin wall ends on it.
+(define tangent (list (wall (line 14 6 8 6) #:layers 0.4) (wall (make-arc (xy 8 9) 3 3pi/2 pi) #:layers 0.4) (wall (line 8 6 0 6) #:layers 0.14)))
+(define around (apply join-walls tangent))
+(displayln (near? (volume (unite around)) (apply + (map volume around)) 1e-7)) ; expect: #t
+(displayln (every near? (map volume (take around 2)) (map volume (take tangent 2)))) ; expect: #t
+(displayln (< (* 0.8 (volume (third tangent))) (volume (third around)) (* 0.9 (volume (third tangent))))) ; expect: #t
+(fails (join-walls (wall (make-arc origin 9 0 1) #:layers 0.4) (wall (make-arc (xy 1 0) 8 0 0.2) #:layers 0.1)))
+; expect: join-walls: the wall from (xyz 9 0 0) to (xyz 8.840532622729933 1.5893546463604897 0) lies within another one
