@@ -142,47 +142,50 @@ bool vs_area_convex_pieces(const vs_area *a, vs_convex_pieces *out) {
 
 /* ---- fewer corners ---- */
 
+static double length(double x, double y) { return sqrt(x * x + y * y); }
+
 static double to_line(vs_vec2 p, vs_vec2 a, vs_vec2 b) {
-  double l = hypot(b.x - a.x, b.y - a.y);
-  return l > 0 ? fabs((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)) / l : hypot(p.x - a.x, p.y - a.y);
+  double l = length(b.x - a.x, b.y - a.y);
+  return l > 0 ? fabs((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)) / l : length(p.x - a.x, p.y - a.y);
 }
 
 /* Sets *meet to the point where the sides a b and c d of a loop, extended beyond b and before c, intersect. Returns the
  * distance of this point from the side b c, or infinity if there is no such point. */
 static double beyond(vs_vec2 a, vs_vec2 b, vs_vec2 c, vs_vec2 d, vs_vec2 *meet) {
   double ux = b.x - a.x, uy = b.y - a.y, wx = c.x - d.x, wy = c.y - d.y, k = ux * wy - uy * wx;
-  if (!(k < -1e-9 * hypot(ux, uy) * hypot(wx, wy)) && !(k > 1e-9 * hypot(ux, uy) * hypot(wx, wy))) return INFINITY;
+  if (!(k < -1e-9 * length(ux, uy) * length(wx, wy)) && !(k > 1e-9 * length(ux, uy) * length(wx, wy))) return INFINITY;
   double s = ((c.x - b.x) * wy - (c.y - b.y) * wx) / k, t = ((c.x - b.x) * uy - (c.y - b.y) * ux) / k;
   if (!(s >= 0) || !(t >= 0)) return INFINITY;
   *meet = (vs_vec2){ b.x + s * ux, b.y + s * uy };
   return to_line(*meet, b, c);
 }
 
-/* Removes corners of a loop of n corners. The new loop contains the old one and deviates from it by at most `most`.
- * used[i]: distance by which corner i has moved outwards so far. Returns the number of remaining corners. */
-static size_t fewer(vs_vec2 *at, double *used, size_t n, double most) {
+/* Removes corners of a loop of n corners. The new loop contains the old one and deviates from it by at most `most`, in
+ * hollows by at most `hollow`. used[i]: distance by which corner i has moved outwards so far. Returns the number of
+ * remaining corners. */
+static size_t fewer(vs_vec2 *at, double *used, size_t n, double most, double hollow) {
   memset(used, 0, n * sizeof *used);
   for (bool again = true; again && n > 4;) {
     size_t best = n;
-    double least = most;
+    double least = 1; /* least deviation, as a share of the greatest one */
     vs_vec2 place = { 0, 0 };
     bool fills = false;
     again = false;
     for (size_t i = 0; i < n; i++) {
       vs_vec2 a = at[(i + n - 1) % n], b = at[i], c = at[(i + 1) % n], d = at[(i + 2) % n], meet;
       if (turn(a, b, c) <= 0) { /* removes a concave corner, and so fills the notch at this corner with material */
-        double added = to_line(b, a, c) + fmax(used[i], fmax(used[(i + n - 1) % n], used[(i + 1) % n]));
+        double added = (to_line(b, a, c) + fmax(used[i], fmax(used[(i + n - 1) % n], used[(i + 1) % n]))) / hollow;
         if (added <= least) least = added, best = i, fills = true, again = true;
       } else if (turn(b, c, d) > 0) { /* removes a side between two convex corners: its two neighbours are extended
                                        * until they intersect */
-        double added = beyond(a, b, c, d, &meet) + fmax(used[i], used[(i + 1) % n]);
+        double added = (beyond(a, b, c, d, &meet) + fmax(used[i], used[(i + 1) % n])) / most;
         if (added <= least) least = added, best = i, fills = false, place = meet, again = true;
       }
     }
     if (!again) break;
     size_t gone = fills ? best : (best + 1) % n;
-    if (fills) used[(best + n - 1) % n] = used[(best + 1) % n] = least;
-    else at[best] = place, used[best] = least;
+    if (fills) used[(best + n - 1) % n] = used[(best + 1) % n] = least * hollow;
+    else at[best] = place, used[best] = least * most;
     memmove(at + gone, at + gone + 1, (n - gone - 1) * sizeof *at);
     memmove(used + gone, used + gone + 1, (n - gone - 1) * sizeof *used);
     n--;
@@ -205,14 +208,14 @@ static bool crosses_itself(const vs_area *a) {
   return false;
 }
 
-static bool copy_loops(const vs_area *a, double most, vs_area *out) {
+static bool copy_loops(const vs_area *a, double most, double hollow, vs_area *out) {
   vs_vec2 *loop = vs_fresh(a->count, sizeof *loop);
   double *used = vs_fresh(a->count, sizeof *used);
   bool ok = loop && used;
   for (size_t l = 0, first = 0; ok && l < a->loop_count; first += a->size[l++]) {
     size_t n = a->size[l];
     memcpy(loop, a->at + first, n * sizeof *loop);
-    if (most > 0) n = fewer(loop, used, n, most);
+    if (most > 0) n = fewer(loop, used, n, most, hollow);
     for (size_t i = 0; ok && i < n; i++) ok = vs_area_point(out, loop[i].x, loop[i].y);
     ok = ok && vs_area_loop(out, a->hole[l]);
   }
@@ -220,11 +223,11 @@ static bool copy_loops(const vs_area *a, double most, vs_area *out) {
   return ok;
 }
 
-bool vs_area_outer_corners(const vs_area *a, double most, vs_area *out) {
-  if (!copy_loops(a, most, out)) return false;
+bool vs_area_outer_corners(const vs_area *a, double most, double hollow, vs_area *out) {
+  if (!copy_loops(a, most, hollow, out)) return false;
   if (!(most > 0) || !crosses_itself(out)) return true;
   vs_area_free(out);
-  return copy_loops(a, 0, out);
+  return copy_loops(a, 0, 0, out);
 }
 
 /* ---- sums of convex polygons ---- */

@@ -16,8 +16,9 @@ void vs_convex_pieces_free(vs_convex_pieces *c);
  * out. */
 bool vs_area_convex_pieces(const vs_area *a, vs_convex_pieces *out);
 /* Sets out to a simpler area that contains the area a: its loops have fewer corners and deviate from those of a by at
- * most `most`. Returns false when memory is out. The caller frees out. */
-bool vs_area_outer_corners(const vs_area *a, double most, vs_area *out);
+ * most `most`, in hollows and holes by at most `hollow`. With most = 0, out equals a. Returns false when memory is out.
+ * The caller frees out. */
+bool vs_area_outer_corners(const vs_area *a, double most, double hollow, vs_area *out);
 
 /* Writes to `out` the sum of the convex polygons a and b, of n and m points: all p + q with p in a and q in b. Each
  * begins at the leftmost of its lowest points. Returns the number of points, at most n + m. */

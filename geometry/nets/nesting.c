@@ -38,19 +38,20 @@ typedef struct {
 } nest;
 
 /* Places the parts in the order `order`, from index `from` to the end. Sets *cost to the length of all sheets but
- * the last, plus the length to which the last sheet is filled. Returns false when memory is out or the caller
- * interrupts. */
-static bool place_all(nest *w, size_t from, double *cost) {
+ * the last, plus the length to which the last sheet is filled. Gives up, with an infinite cost, when the work reaches
+ * `limit`. Returns false when memory is out or the caller interrupts. */
+static bool place_all(nest *w, size_t from, uint64_t limit, double *cost) {
   size_t used = 0;
+  *cost = INFINITY;
   for (size_t i = 0; i < from; i++)
     if (!vs_nest_lay_again(&w->at, w->order[i], &used)) return false;
   for (size_t i = from; i < w->at.parts; i++) {
+    if (w->at.steps > limit) return true;
     if (!vs_nest_lay_part(&w->at, w->order[i], &used)) return false;
     double done = (double)w->at.steps / (double)w->most_steps;
     if (w->work.going && !w->work.going(w->work.context, done < 1 ? done : 1)) return !(w->stopped = true);
   }
   w->used = used;
-  *cost = INFINITY;
   for (size_t i = 0; i < used; i++) /* if no sheet is endless, the least filled sheet counts as the last one */
     if (i == w->at.endless || w->at.endless >= used) *cost = fmin(*cost, vs_nest_filled(&w->at, &w->at.sheets[i]));
   *cost += (double)(used - 1) * w->at.rule->width;
@@ -131,7 +132,7 @@ static bool improve(nest *w, uint64_t most_steps) {
     recall(w, &w->now);
     if (!chance(w, 8)) w->at.wish = (int)chance(w, 4);
     size_t from = change_order(w);
-    if (!place_all(w, w->at.wish == w->now.wish ? from : 0, &cost)) return false;
+    if (!place_all(w, w->at.wish == w->now.wish ? from : 0, most_steps, &cost)) return false;
     if (cost <= fmax(w->now.cost, late[i % LATE])) remember(w, &w->now, cost);
     late[i % LATE] = w->now.cost;
     if (cost < w->best.cost) remember(w, &w->best, cost), last = i;
@@ -149,13 +150,13 @@ static bool search(nest *w) {
   w->best.cost = INFINITY;
   for (int k = 0; k < 12 && (k == 0 || w->at.steps < w->most_steps / 2); k++) {
     w->at.wish = k / 3;
-    if (!rank_parts(w, k % 3) || !place_all(w, 0, &cost)) return false;
+    if (!rank_parts(w, k % 3) || !place_all(w, 0, k ? w->most_steps / 2 : UINT64_MAX, &cost)) return false;
     if (cost < w->best.cost) remember(w, &w->best, cost);
   }
   if (!improve(w, w->most_steps / 2)) return false;
   w->at.endless = SIZE_MAX;
   recall(w, &w->best);
-  if (!place_all(w, 0, &cost)) return false;
+  if (!place_all(w, 0, UINT64_MAX, &cost)) return false;
   remember(w, &w->best, cost);
   return improve(w, w->most_steps);
 }
@@ -173,7 +174,7 @@ bool vs_areas_nest(const vs_area *parts, size_t count, const vs_nest_rule *rule,
   if (!w) return false;
   w->at.rule = rule, w->at.parts = count, w->work = work, w->chance = 1;
   w->at.slack = 1e-10 * fmax(rule->width, rule->height);
-  w->most_steps = (uint64_t)(rule->effort * 3e8) + 1;
+  w->most_steps = (uint64_t)(rule->effort * 1.5e8) + 1;
   bool ok = VS_FRESH(w->at.kind_of, count) && VS_FRESH(w->order, count) && VS_FRESH(w->at.laid, count) &&
             VS_FRESH(w->best.order, count) && VS_FRESH(w->best.laid, count) && VS_FRESH(w->now.order, count) &&
             VS_FRESH(w->now.laid, count);

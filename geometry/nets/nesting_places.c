@@ -20,8 +20,17 @@ enum {
   FINE_LINES = 6,    /* number of finer lines on each side of the best line that are searched to improve the place */
   FINER = 2,         /* number of times that a part's place is improved on finer lines */
   MOST_CORNERS = 24, /* number of corners above which a part gets a simpler outline */
-  LONG_SIDES = 4     /* number of long sides of a part that are laid along the sheet's sides */
+  LEAST_PIECES = 4,  /* bounds of the number of convex pieces above which a part gets coarser hollows */
+  MOST_PIECES = 24,
+  LONG_SIDES = 4,    /* number of long sides of a part that are laid along the sheet's sides */
+  MOST_TURNS = 8 + 4 * LONG_SIDES
 };
+
+/* The greatest deviations of a simpler outline, as shares of the part's size: everywhere, and in hollows, whose corners
+ * make convex pieces. */
+static const double closely = 1 / 1000.0, hollows[] = { 1 / 1000.0, 1 / 300.0, 1 / 100.0, 1 / 30.0 };
+enum { LEVELS = sizeof hollows / sizeof *hollows };
+static const double most_pairs = 1e6; /* pairs of pieces that the first order of all parts may compare */
 
 static const double pi = 3.14159265358979323846;
 
@@ -52,7 +61,7 @@ struct vs_nest_lines {
   size_t sum_count, sum_room;
   vs_vec2 *sum_at;
   size_t sum_points, sum_point_room;
-  vs_vec2 *draft; /* memory for the points of one sum of two pieces */
+  vs_vec2 *draft; /* memory for the points of one piece */
   size_t draft_room;
   double at[MOST_LINES];
   size_t line_count;
@@ -75,44 +84,66 @@ static void from_lowest(const vs_vec2 *in, size_t n, vs_vec2 *out) {
   for (size_t i = 0; i < n; i++) out[i] = in[(low + i) % n];
 }
 
+/* Adds a convex piece: the n points `in`, turned by the angle with the sine s and the cosine c, once mirrored at the
+ * origin, and once grown by the gap. Returns false when memory is out. */
+static bool add_piece(nest *w, const vs_vec2 *in, size_t n, double s, double c) {
+  double gap = w->rule->gap;
+  size_t most = vs_convex_grown_most(n);
+  vs_nest_lines *l = w->lines;
+  if (!VS_GROW(w->grown, w->grown_room, w->grown_points + most) ||
+      !VS_GROW(w->mirrored, w->mirrored_room, w->points + n) ||
+      !VS_GROW(w->pieces, w->piece_room, w->piece_count + 1) || !VS_GROW(l->draft, l->draft_room, n + most))
+    return false;
+  vs_vec2 *turned = l->draft, *grown = l->draft + n;
+  piece *made = &w->pieces[w->piece_count++];
+  *made = (piece){ w->points, n, w->grown_points, n, no_box() };
+  for (size_t i = 0; i < n; i++) widen(&made->box, turned[i] = vs_nest_turned(in[i], s, c));
+  if (gap > 0) made->grown_count = vs_convex_grow(turned, n, gap, grown);
+  from_lowest(gap > 0 ? grown : turned, made->grown_count, w->grown + made->grown_first);
+  for (size_t i = 0; i < n; i++) turned[i] = (vs_vec2){ -turned[i].x, -turned[i].y };
+  from_lowest(turned, n, w->mirrored + made->first);
+  w->points += n, w->grown_points += made->grown_count;
+  return true;
+}
+
 /* Adds the form (turned part) that consists of the pieces c turned by the angle, unless the sheet is too small for it.
  * Returns false when memory is out. */
 static bool add_form(nest *w, const vs_convex_pieces *c, double angle) {
-  double s, co;
-  form f = { .first = w->piece_count, .box = no_box(), .angle = angle };
+  double s, co, room = 2 * w->rule->margin - w->slack;
+  form f = { .first = w->piece_count, .count = c->pieces, .box = no_box(), .angle = angle };
+  size_t points = w->points, grown = w->grown_points;
   vs_sincos(angle, &s, &co);
-  vs_nest_lines *l = w->lines;
-  if (!VS_GROW(w->at, w->point_room, w->points + c->count) ||
-      !VS_GROW(w->mirrored, w->mirrored_room, w->points + c->count) ||
-      !VS_GROW(w->pieces, w->piece_room, w->piece_count + c->pieces) ||
-      !VS_GROW(w->forms, w->form_room, w->form_count + 1) || !VS_GROW(l->draft, l->draft_room, c->count))
-    return false;
-  size_t points = w->points;
   for (size_t p = 0, first = 0; p < c->pieces; first += c->size[p++]) {
-    size_t n = c->size[p];
-    piece *made = &w->pieces[w->piece_count + p];
-    *made = (piece){ points, n, no_box() };
-    for (size_t i = 0; i < n; i++) {
-      l->draft[i] = vs_nest_turned(c->at[first + i], s, co);
-      widen(&made->box, l->draft[i]);
-    }
-    from_lowest(l->draft, n, w->at + points);
-    for (size_t i = 0; i < n; i++) l->draft[i] = (vs_vec2){ -l->draft[i].x, -l->draft[i].y };
-    from_lowest(l->draft, n, w->mirrored + points);
-    widen(&f.box, (vs_vec2){ made->box.x0, made->box.y0 }), widen(&f.box, (vs_vec2){ made->box.x1, made->box.y1 });
-    points += n;
+    if (!add_piece(w, c->at + first, c->size[p], s, co)) return false;
+    const box *b = &w->pieces[f.first + p].box;
+    widen(&f.box, (vs_vec2){ b->x0, b->y0 }), widen(&f.box, (vs_vec2){ b->x1, b->y1 });
   }
-  double room = 2 * w->rule->margin - w->slack;
-  f.count = c->pieces;
-  if (f.box.x1 - f.box.x0 + room > w->rule->width || f.box.y1 - f.box.y0 + room > w->rule->height) return true;
-  w->points = points, w->piece_count += c->pieces;
+  if (f.box.x1 - f.box.x0 + room > w->rule->width || f.box.y1 - f.box.y0 + room > w->rule->height) {
+    w->points = points, w->grown_points = grown, w->piece_count = f.first;
+    return true;
+  }
+  if (!VS_GROW(w->forms, w->form_room, w->form_count + 1)) return false;
   w->forms[w->form_count++] = f;
   return true;
 }
 
+/* Tests whether the area's outer border is nearly a circle, so that turns change nothing. */
+static bool is_round(const vs_area *a, const box *b) {
+  double x = (b->x0 + b->x1) / 2, y = (b->y0 + b->y1) / 2, least = INFINITY, most = 0;
+  for (size_t l = 0, first = 0; l < a->loop_count; first += a->size[l++]) {
+    if (a->hole[l]) continue;
+    if (l > 0 || a->size[l] < 36) return false;
+    for (size_t i = 0; i < a->size[l]; i++) {
+      double r = hypot(a->at[first + i].x - x, a->at[first + i].y - y);
+      least = fmin(least, r), most = fmax(most, r);
+    }
+  }
+  return most - least < 0.005 * most;
+}
+
 /* Writes angles for a part that may be turned freely: eighths of a turn, and angles that lay its long sides level.
- * Returns their number, at most MOST. */
-static size_t own_angles(const vs_area *a, double *out) {
+ * `long_side`: length from which a side is long. Returns their number, at most MOST_TURNS. */
+static size_t own_angles(const vs_area *a, double long_side, double *out) {
   double longest[LONG_SIDES] = { 0 }, angle[LONG_SIDES];
   size_t count = 8;
   for (size_t k = 0; k < 8; k++) out[k] = (double)k * pi / 4;
@@ -122,7 +153,7 @@ static size_t own_angles(const vs_area *a, double *out) {
       double length = hypot(q.x - p.x, q.y - p.y), turn = -atan2(q.y - p.y, q.x - p.x);
       size_t k = LONG_SIDES;
       turn -= floor(turn / (pi / 4) + 1e-9) * (pi / 4);
-      bool known = turn < 1e-9;
+      bool known = turn < 1e-9 || length < long_side;
       for (size_t j = 0; j < LONG_SIDES; j++)
         if (longest[j] > 0 && fabs(angle[j] - turn) < 1e-6) known = true;
       if (known) continue;
@@ -145,10 +176,24 @@ static bool equal_areas(const vs_area *a, const vs_area *b, double slack) {
   return same;
 }
 
-/* Adds a new kind (parts with equal shape) with its forms, the part turned by each allowed angle. Returns false when
- * memory is out. */
-static bool add_kind(nest *w, const vs_area *a, uint32_t part) {
-  double angles[8 + 4 * LONG_SIDES];
+/* Divides an outline into convex pieces. An outline of many corners gets a simpler one around it: to a thousandth of
+ * its size, and if that has more than `most` pieces, coarser in hollows. *simple: the outline that is divided. Returns
+ * false when memory is out; the caller frees the results. */
+static bool few_pieces(const vs_area *a, double extent, size_t most, vs_area *simple, vs_convex_pieces *c) {
+  bool many = a->count > MOST_CORNERS, ok = true;
+  for (size_t l = 0; ok && (l == 0 || (many && c->pieces > most && l < LEVELS)); l++) {
+    vs_area_free(simple);
+    vs_convex_pieces_free(c);
+    ok = vs_area_outer_corners(a, many ? extent * closely : 0, extent * hollows[l], simple) &&
+         vs_area_convex_pieces(simple, c);
+  }
+  return ok;
+}
+
+/* Adds a new kind (parts with equal shape) with its forms, the part turned by each allowed angle. most: the number of
+ * convex pieces above which it gets a simpler outline. Returns false when memory is out. */
+static bool add_kind(nest *w, const vs_area *a, uint32_t part, size_t most) {
+  double angles[MOST_TURNS];
   const vs_nest_rule *r = w->rule;
   kind k = { .first = w->form_count, .part = part };
   vs_area simple = { 0 };
@@ -161,10 +206,10 @@ static bool add_kind(nest *w, const vs_area *a, uint32_t part) {
       vs_vec2 p = a->at[first + i], q = a->at[first + (i + 1) % a->size[l]];
       k.area += ((p.x - b.x0) * (q.y - b.y0) - (q.x - b.x0) * (p.y - b.y0)) / 2;
     }
-  bool ok = vs_area_outer_corners(a, a->count > MOST_CORNERS ? k.extent / 1000 : 0, &simple) &&
-            vs_area_convex_pieces(&simple, &c);
+  bool ok = few_pieces(a, k.extent, most, &simple, &c);
   for (size_t i = 0; i < c.count; i++) c.at[i].x -= a->at[0].x, c.at[i].y -= a->at[0].y;
-  size_t n = r->angle_count ? r->angle_count : own_angles(&simple, angles);
+  size_t n = r->angle_count ? r->angle_count : own_angles(&simple, k.extent / 8, angles);
+  if (is_round(a, &b)) n = 1;
   for (size_t i = 0; ok && i < n; i++) ok = add_form(w, &c, r->angle_count ? r->angles[i] : angles[i]);
   k.count = w->form_count - k.first;
   ok = ok && VS_GROW(w->kinds, w->kind_room, w->kind_count + 1);
@@ -175,12 +220,15 @@ static bool add_kind(nest *w, const vs_area *a, uint32_t part) {
 }
 
 bool vs_nest_find_kinds(vs_nest_places *w, const vs_area *parts, size_t *unfit) {
+  size_t turns = w->rule->angle_count ? w->rule->angle_count : MOST_TURNS;
+  double pieces = sqrt(2 * most_pairs / (double)turns) / (double)(w->parts + 1); /* for each part */
+  size_t most = (size_t)fmin(fmax(pieces, LEAST_PIECES), MOST_PIECES);
   *unfit = w->parts;
   if (!w->lines && !(w->lines = vs_zeros(1, sizeof *w->lines))) return false;
   for (size_t i = 0; i < w->parts; i++) {
     size_t k = 0;
     while (k < w->kind_count && !equal_areas(&parts[i], &parts[w->kinds[k].part], w->slack)) k++;
-    if (k == w->kind_count && !add_kind(w, &parts[i], (uint32_t)i)) return false;
+    if (k == w->kind_count && !add_kind(w, &parts[i], (uint32_t)i, most)) return false;
     w->kind_of[i] = (uint32_t)k;
     if (!w->kinds[k].count) return *unfit = i, true;
   }
@@ -190,15 +238,12 @@ bool vs_nest_find_kinds(vs_nest_places *w, const vs_area *parts, size_t *unfit) 
 /* ---- sums and lines ---- */
 
 static bool add_sum(nest *w, const piece *q, vs_vec2 at, const piece *p) {
-  size_t most = vs_convex_grown_most(q->count + p->count);
-  double gap = w->rule->gap;
   vs_nest_lines *l = w->lines;
-  if (!VS_GROW(l->draft, l->draft_room, most) || !VS_GROW(l->sum_at, l->sum_point_room, l->sum_points + most) ||
+  if (!VS_GROW(l->sum_at, l->sum_point_room, l->sum_points + q->grown_count + p->count) ||
       !VS_GROW(l->sums, l->sum_room, l->sum_count + 1))
     return false;
   vs_vec2 *out = l->sum_at + l->sum_points;
-  size_t n = vs_convex_sum(w->at + q->first, q->count, w->mirrored + p->first, p->count, gap > 0 ? l->draft : out);
-  if (gap > 0) n = vs_convex_grow(l->draft, n, gap, out);
+  size_t n = vs_convex_sum(w->grown + q->grown_first, q->grown_count, w->mirrored + p->first, p->count, out);
   sum s = { .first = l->sum_points, .count = n };
   for (size_t i = 0; i < n; i++) {
     out[i].x += at.x, out[i].y += at.y;
@@ -273,6 +318,19 @@ static void fine_lines(nest *w, double low, double y, double high, box room) {
   sort_lines(w);
 }
 
+/* Adds an interval to those of a line. An interval that overlaps the last one, as those of two neighbouring pieces do,
+ * extends it. Returns false when memory is out. */
+static bool add_span(spans *on, span made) {
+  span *last = on->count ? &on->at[on->count - 1] : NULL;
+  if (last && made.from < last->to && made.to > last->from) {
+    *last = (span){ fmin(last->from, made.from), fmax(last->to, made.to) };
+    return true;
+  }
+  if (!VS_GROW(on->at, on->room, on->count + 1)) return false;
+  on->at[on->count++] = made;
+  return true;
+}
+
 /* Adds to each horizontal line the interval of x in which the part would overlap a piece, as given by s. Returns false
  * when memory is out. */
 static bool add_spans(nest *w, const sum *s) {
@@ -291,10 +349,8 @@ static bool add_spans(nest *w, const sum *s) {
     while (at[after].y < y) right = after, after = right + 1 < n ? right + 1 : 0;
     while (at[before].y < y) left = before, before = left ? left - 1 : n - 1;
     vs_vec2 a = at[right], b = at[after], c = at[left], d = at[before];
-    spans *on = &lines->spans[i];
-    if (!VS_GROW(on->at, on->room, on->count + 1)) return false;
-    on->at[on->count++] = (span){ c.x + (d.x - c.x) * (y - c.y) / (d.y - c.y),
-                                a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y) };
+    span made = { c.x + (d.x - c.x) * (y - c.y) / (d.y - c.y), a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y) };
+    if (!add_span(&lines->spans[i], made)) return false;
     w->steps += 2;
   }
   return true;
@@ -446,6 +502,6 @@ void vs_nest_places_free(vs_nest_places *w) {
   for (size_t i = 0; i < w->sheet_count; i++) free(w->sheets[i].at), free(w->sheets[i].parts), free(w->sheets[i].full);
   for (size_t i = 0; w->lines && i < MOST_LINES; i++) free(w->lines->spans[i].at);
   if (w->lines) free(w->lines->sums), free(w->lines->sum_at), free(w->lines->draft), free(w->lines);
-  free(w->at), free(w->mirrored), free(w->pieces), free(w->forms), free(w->kinds), free(w->kind_of), free(w->sheets);
+  free(w->grown), free(w->mirrored), free(w->pieces), free(w->forms), free(w->kinds), free(w->kind_of), free(w->sheets);
   free(w->laid);
 }

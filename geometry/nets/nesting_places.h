@@ -9,9 +9,10 @@
 
 typedef struct { double x0, y0, x1, y1; } vs_nest_box;
 
-/* A convex piece of a turned part. first, count: range of its points in the array of all pieces' points. */
+/* A convex piece of a turned part. first, count: range of its mirrored points in `mirrored`; grown_first, grown_count:
+ * range of the points of the piece, grown by the gap, in `grown`. */
 typedef struct {
-  size_t first, count;
+  size_t first, count, grown_first, grown_count;
   vs_nest_box box;
 } vs_nest_piece;
 
@@ -58,8 +59,8 @@ typedef struct vs_nest_lines vs_nest_lines;
 typedef struct {
   const vs_nest_rule *rule;
   double slack; /* lengths below this count as 0 */
-  vs_vec2 *at, *mirrored;
-  size_t points, point_room, mirrored_room;
+  vs_vec2 *grown, *mirrored;
+  size_t grown_points, grown_room, points, mirrored_room;
   vs_nest_piece *pieces;
   size_t piece_count, piece_room;
   vs_nest_form *forms;

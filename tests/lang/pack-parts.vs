@@ -47,6 +47,25 @@
 (displayln (map length (pack-parts tile #:sheet '(29 14) #:gap 1 #:count 21 #:turn 'none)))
 ; expect: (9 9 3)
 
+; many parts with round hollows: the search follows the hollows less closely, and no two parts are nearer than the gap
+(define (round-part i)
+  (let ((r (+ 3 (remainder i 4))) (disc (lambda (x r) (make-region (make-circle (xy x 0) r)))))
+    (case (remainder i 3)
+      ((0) (subtract (disc 0 r) (disc (* 0.6 r) (* 0.8 r))))
+      ((1) (subtract (disc 0 r) (disc 0 (* 0.8 r))))
+      (else (subtract (star 12 r (* 0.8 r)) (disc (* 0.1 r) (* 0.5 r)))))))
+(define round-parts (map round-part (iota 24)))
+(define (apart? sheet)
+  (let ((g (map (lambda (p) (lowered (grown p 0.2499))) sheet)))
+    (near? (total (map area g)) (area (apply unite g)) 1e-6)))
+(define round-sheets (pack-parts round-parts #:sheet '(50 40) #:gap 0.5 #:margin 1 #:turn '(0 2) #:effort 0))
+(define round-placed (append-map values round-sheets))
+(displayln (list (near? (total (map area round-placed)) (total (map area round-parts)) 1e-6)
+                 (every (lambda (p) (within? p 50 40 1)) round-placed)
+                 (every apart? round-sheets)
+                 (length round-sheets)))
+; expect: (#t #t #t 2)
+
 ; a part in the hole of another, which is cut first
 (define frame (subtract (make-region (make-rectangle origin (xy 20 10))) (make-region (make-rectangle (xy 1 1) (xy 19 9)))))
 (define both (pack-parts (list frame tile) #:sheet '(20 10) #:gap 0.5 #:effort 0.01))
