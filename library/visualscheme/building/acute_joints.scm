@@ -29,7 +29,12 @@
     (filter-map
       (lambda (l) (and (> (turn l) 1e-9) (cons l (filter (lambda (h) (and (< (turn h) 0) (inside? (car h) l))) loops))))
       loops)))
-(define (loop-region l) (make-region (make-polygon l)))
+; Returns a loop without its spikes, corners at which it turns back on itself: regions accept no loop that crosses itself.
+(define (without-spikes loop)
+  (define (spike? before p after) (or (< (distance before p) 1e-9) (< (angle-between (p->q p before) (p->q p after)) 0.01)))
+  (let ((k (list-index spike? (cons (last loop) loop) loop (append (cdr loop) (list (car loop))))))
+    (if k (without-spikes (append (take loop k) (drop loop (+ k 1)))) loop)))
+(define (loop-region l) (make-region (make-polygon (without-spikes l))))
 (define (area-region a) (apply make-region (map make-polygon a)))
 
 ; Returns the layers of a piece, lists of areas, outside the pieces that cut its ends off. Corners that would stand out on the
