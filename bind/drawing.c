@@ -256,9 +256,9 @@ vs_status vs_p_sun(vs_args *f, vs_value *out) {
   }
   if (k[2].given || k[3].given || k[4].given || k[5].given) {
     vs_sun_moment m;
-    if (!k[2].given || !k[3].given || !k[4].given || !k[5].given || k[0].given || k[1].given)
+    if (!k[2].given || !k[4].given || !k[5].given || k[0].given || k[1].given)
       return vs_fail(f->vm, f->vm->sym.arity,
-                     "takes #:azimuth and #:altitude, or #:latitude #:longitude #:date #:time");
+                     "takes #:azimuth and #:altitude, or #:latitude, #:date and #:time, with #:longitude (0)");
     if (!vs_bind_moment(f, k + 2, &m)) return VS_ERROR;
     vs_sun_direction at = vs_sun_position(&m);
     azimuth = at.azimuth, altitude = at.altitude;

@@ -47,21 +47,28 @@
   (let ((n (string-length text)))
     (if (= n 0) 0 (+ (* 3 (- n 1)) (apply + (map (lambda (c) (car (%stroke-glyph c))) (string->list text)))))))
 
+; Returns true if the text is a number that is another one upside down, such as 6, 68 and 99, but not 69.
+(define (%turns-over? text)
+  (define pairs '((#\0 . #\0) (#\1 . #\1) (#\6 . #\9) (#\8 . #\8) (#\9 . #\6)))
+  (let* ((digits (string->list text)) (turned (map (lambda (c) (assv c pairs)) (reverse digits))))
+    (and (every values turned) (or (memv #\6 digits) (memv #\9 digits)) (not (equal? digits (map cdr turned))))))
+
 ; Returns the strokes of the text as polylines, `size` high. at: the lower left corner, middle or right, by align; the
-; text runs at `angle`.
-(define (engrave text size #:at [at any? origin] #:angle [angle any? 0] #:align [align any? 'left])
+; text runs at `angle`. A number that is another one upside down gets a line below, unless `underline` is #f.
+(define (engrave text size #:at [at any? origin] #:angle [angle any? 0] #:align [align any? 'left] #:underline [underline any? #t])
   (if (not (string? text)) (error 'engrave "text must be a string, got ~s" text))
   (%need-positive 'engrave 'size size)
   (%need-point 'engrave 'at at)
   (%need-number 'engrave 'angle angle)
   (if (not (memq align '(left centre right))) (error 'engrave "align must be one of 'left 'centre 'right, got ~s" align))
   (let* ((k (/ size 8)) (c (cos angle)) (s (sin angle))
-         (start (* -1 (%stroke-width text) (case align ((left) 0) ((centre) 1/2) (else 1)))))
+         (width (%stroke-width text))
+         (start (* -1 width (case align ((left) 0) ((centre) 1/2) (else 1)))))
     (define (place x y) (let ((x (* k x)) (y (* k y))) (+xy at (- (* c x) (* s y)) (+ (* s x) (* c y)))))
     (unite
       (let loop ((l (string->list text)) (x start) (lines '()))
         (if (null? l)
-            (reverse lines)
+            (reverse (if (and underline (%turns-over? text)) (cons (make-line (place start -2) (place (+ start width) -2)) lines) lines))
             (let ((glyph (%stroke-glyph (car l))))
               (loop (cdr l) (+ x (car glyph) 3)
                 (append (map (lambda (stroke) (make-line (map (lambda (p) (place (+ x (car p)) (cdr p))) stroke))) (reverse (cdr glyph)))

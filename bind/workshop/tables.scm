@@ -69,7 +69,8 @@
                   (error 'schedule "a column is one of ~s, a procedure of an object, or a pair of a name and a procedure, got ~s" (append %schedule-keys %schedule-sums) c)))
             columns)
   (%need-rates rates)
-  (if (not (and (list? densities) (every (lambda (d) (and (pair? d) (real? (cdr d)))) densities)))
+  (define (density d) (if (and (list? d) (= (length d) 2)) (second d) (cdr d)))
+  (if (not (and (list? densities) (every (lambda (d) (and (pair? d) (real? (density d)))) densities)))
       (error 'schedule "densities must be a list of (material . density), such as (\"oak\" . 700), got ~s" densities))
   (if digits (%need-digits 'schedule digits))
   (define (sum? c) (memq c %schedule-sums))
@@ -77,7 +78,7 @@
     (let* ((name (caddr looks)) (own (assoc name densities (lambda (a b) (equal? a (%schedule-text b))))) (known (assoc name %densities)))
       (cond
         ((not (solid? o)) 0)
-        (own (* (volume o) (cdr own)))
+        (own (* (volume o) (density own)))
         (known (* (volume o) (expt (cadddr looks) 3) (cdr known)))
         ((equal? name "") (error 'schedule "there is no mass without a material: (with-material 'oak ~a) gives one" (car looks)))
         (else (error 'schedule "there is no density of ~s: #:densities '((~s . 700)) gives one" name name)))))
@@ -240,7 +241,9 @@
   (%need-digits 'sheet-table digits)
   (let ((columns (apply max (map length rows))))
     (define (padded row) (append row (make-list (- columns (length row)) "")))
-    (%sheet-table (string-join (map (lambda (x) (%table-text x digits)) (append-map padded rows)) (string #\x1f)) columns
+    (define decimal? (apply map (lambda cells (any (lambda (x) (and (real? x) (not (exact-integer? x)))) cells)) (map padded rows)))
+    (define (even row) (map (lambda (x d) (if (and d (exact-integer? x)) (exact->inexact x) x)) (padded row) decimal?))
+    (%sheet-table (string-join (map (lambda (x) (%table-text x digits)) (append-map even rows)) (string #\x1f)) columns
                   (%table-text title 0))))
 
 ; ---- files ----

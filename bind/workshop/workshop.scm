@@ -117,7 +117,7 @@
                             (map (lambda (e) (make-line (%curve-points curve (car e) (cdr e)))) ends)))
                  (name (object-layer curve)))
             (map (lambda (o) (if name (layer name o) o))
-                 (append lines (list (engrave text size #:at at #:angle (pol-phi d) #:align 'centre)))))))))
+                 (append lines (list (engrave text size #:at at #:angle (pol-phi d) #:align 'centre #:underline #f)))))))))
 
 ; Returns true if all points of a curve have one height.
 (define (%level-curve? curve)
@@ -163,17 +163,26 @@
       (if (and best (>= (cdr best) reach))
           (cons (car best) (found-in common (cons (car best) given) (- n 1)))
           '())))
-  (let loop ((l regions) (h heights) (carried '()) (all '()) (number 1))
+  (let loop ((l regions) (h heights) (carried '()) (all '()) (number 1) (bare '()))
     (if (or (null? l) (null? (cdr l)))
-        (reverse (cons carried all))
+        (begin (%warn-of-no-pins (reverse bare) reach) (reverse (cons carried all)))
         (let* ((step (- (cadr h) (car h)))
                (common (and (car l) (cadr l) (intersect (car l) (do-move (cadr l) (v*r normal (- step))))))
                (border (if (and common (pair? carried)) (outline common) '()))
                (kept (filter (lambda (p) (and (pair? border) (contains? common p) (every (lambda (c) (>= (distance p (closest-point c p)) reach)) border))) carried))
                (pins (if common (append kept (found-in common carried (- 2 (length kept)))) '())))
-          (if (null? pins) (%warn (format "slices: slices ~a and ~a meet in too little for a pin" number (+ number 1))))
           (loop (cdr l) (cdr h) (map (lambda (p) (up p step)) pins)
-                (cons (append carried (filter (lambda (p) (not (member p carried))) pins)) all) (+ number 1))))))
+                (cons (append carried (filter (lambda (p) (not (member p carried))) pins)) all) (+ number 1)
+                (if (null? pins) (cons number bare) bare))))))
+
+; Warns of the slices, by number, that have no pin to the next one.
+(define (%warn-of-no-pins bare reach)
+  (if (pair? bare)
+      (%warn (format "slices: ~a meet in too little for a pin, whose middle must be ~a from the border; a smaller #:diameter fits more"
+               (if (null? (cdr bare))
+                   (format "slices ~a and ~a" (car bare) (+ (car bare) 1))
+                   (format "~a pairs of slices, the first ~a and ~a," (length bare) (car bare) (+ (car bare) 1)))
+               (%to-six reach)))))
 
 ; Returns the slices of a solid as flat objects, the lowest first, each in the plane halfway up it: the region to cut, in
 ; layer "cut" or that of o, and in layer "engrave" its number and the outline of the slice above.
@@ -195,10 +204,12 @@
             (define (pin p)
               (make-region (if (eq? registration 'dowels) (make-circle p (/ wide 2) #:plane plane) (make-regular-polygon p (/ wide (sqrt 2)) 4 pi/4 #:plane plane))))
             (define (number i region)
-              (let ((place (and numbers (%largest-circle region))))
-                (if place
-                    (outline (make-text (car place) (min (* 2 thickness) (* 0.8 (cdr place))) (number->string i) #:align 'center #:valign 'center #:plane plane))
-                    '())))
+              (let ((place (and numbers (%largest-circle region))) (text (number->string i)))
+                (define (written text)
+                  (outline (make-text (car place) (min (* 2 thickness) (* 0.8 (cdr place))) text #:align 'center #:valign 'center #:plane plane)))
+                (cond ((not place) '())
+                      ((%turns-over? text) (append (written text) (written (make-string (string-length text) #\_))))
+                      (else (written text)))))
             (filter-map
               (lambda (m pins i)
                 (and (car m)

@@ -56,7 +56,7 @@
 (define-syntax fails (syntax-rules () ((_ e) (displayln (guard (c (#t (condition/report-string c))) e "no error")))))
 (fails (terrain (list origin (xy 1 1))))                   ; expect: terrain: points must hold 3 points or more, got 2
 (fails (terrain (list origin (xy 1 1) (xy 2 2))))          ; expect: terrain: points must be three or more that do not lie on one line, seen from above
-(fails (terrain (list origin (xy 1 0) (xyz 0 1 2) (xyz 0 1 3))))  ; expect: terrain: points at (xy 0 1) have two heights, 2 and 3
+(fails (terrain (list origin (xy 1 0) (xyz 0 1 2) (xyz 0 1 3))))  ; expect: terrain: points at (xy 0 1) have two heights, 2 and 3; omit one of them
 (fails (terrain grid #:breaklines (list (list (xy 0.5 0.5) (xyz 4.5 4 0)) (list (xy 0.5 4) (xyz 4 0.5 0))))) ; expect: terrain: breaklines must not cross; two cross at (xy 2.366667 2.133333): they need a point there
 (fails (terrain grid #:breaklines (list 3)))               ; expect: terrain: breaklines must be a list of curves and lists of points, got 3
 (fails (cut-and-fill slope (make-sphere origin 1)))        ; expect: cut-and-fill: design must be a surface, such as (terrain points), got (make-sphere (xyz 0 0 0) 1)

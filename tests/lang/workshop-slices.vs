@@ -54,7 +54,7 @@
 (define (middles s) (map (lambda (c) (let ((p (centroid c))) (list (round (* 1e3 (cx p))) (round (* 1e3 (cy p)))))) (holes s)))
 (displayln (equal? (middles (first pinned)) (middles (third pinned))))  ; expect: #t
 (displayln (every (lambda (s) (every (lambda (c) (close? (area c) 4 1e-6)) (holes s))) (slices tower 2 #:registration 'tabs)))  ; expect: #t
-(displayln (length (slices (make-box origin (xyz 20 1 6)) 2 #:registration 'dowels #:diameter 1))) ; expect warning: slices: slices 1 and 2 meet in too little for a pin
+(displayln (length (slices (make-box origin (xyz 20 1 6)) 2 #:registration 'dowels #:diameter 1))) ; expect warning: slices: 2 pairs of slices, the first 1 and 2, meet in too little for a pin
 ; expect: 3
 
 (define-syntax fails (syntax-rules () ((_ e) (displayln (guard (c (#t (condition/report-string c))) e "no error")))))
