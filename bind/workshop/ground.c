@@ -49,7 +49,8 @@ static vs_status two_heights(vs_args *f, vs_vec3 p, vs_vec3 q) {
   char n[4][32];
   const double d[4] = { p.x, p.y, p.z, q.z };
   for (int i = 0; i < 4; i++) vs_bind_number_text(n[i], d[i]);
-  return vs_fail(vm, vm->sym.range, "points at (xy %s %s) have two heights, %s and %s; omit one of them", n[0], n[1], n[2], n[3]);
+  return vs_fail(vm, vm->sym.range, "points at (xy %s %s) have two heights, %s and %s; omit one of them", n[0], n[1],
+                 n[2], n[3]);
 }
 
 /* Sets number[i] to the index of the vertex in m for point i. Points with equal x and y have one vertex. Sets an error
