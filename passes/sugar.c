@@ -159,6 +159,17 @@ static bool sugar_fault(sugar_walk *w, vs_ref fault) {
   return false;
 }
 
+/* Removes materials, parts and ghosts from the objects that break a rule, for formats that mark these themselves. */
+static bool sugar_plain_faults(sugar_walk *w, vs_scene *scene) {
+  for (size_t i = 0; i < scene->fault_count; i++) {
+    vs_node *bare = sugar_strip(w, scene->faults[i]);
+    if (!bare) return false;
+    vs_node_release(scene->faults[i].node);
+    scene->faults[i].node = bare;
+  }
+  return true;
+}
+
 /* Walks through the nodes below the drawn object `root` and collects nodes: if `only` is true, the children of nodes of
  * kind VS_ONLY; otherwise highlights and ghosts. */
 static bool sugar_below(sugar_walk *w, vs_ref root, bool only) {
@@ -286,6 +297,7 @@ bool vs_scene_sugar(vs_scene *scene, const vs_sugar_options *options, vs_error *
   bool sugar = false, ok = true;
   for (size_t i = 0; i < scene->drawn_count; i++) sugar |= (scene->drawn[i].node->flags & VS_NODE_SUGAR) != 0;
   bool faults = options->faults != VS_MARKS_DROP && scene->fault_count;
+  if (options->faults == VS_MARKS_DROP && !sugar_plain_faults(&w, scene)) return false;
   if (!sugar && !faults) return true;
   ok = sugar_look(&kinds, scene, e);
   if (ok && options->muted && kinds.native.node)

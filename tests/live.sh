@@ -1,5 +1,5 @@
 # Tests the live view: its server by HTTP (tests/page/live.mjs, live_requests.mjs), in a browser (live_browser.mjs,
-# live_words.mjs, live_making.mjs, live_frames.mjs, live_scene.mjs, live_examples.mjs, live_output.mjs, live_runs.mjs,
+# live_words.mjs, live_making.mjs, live_frames.mjs, live_joint.mjs, live_scene.mjs, live_examples.mjs, live_output.mjs, live_runs.mjs,
 # live_typing.mjs, live_untrusted.mjs), and `vs params`.
 case live in *"${ONLY%%/*}"*) ;; *) exit 0 ;; esac
 command -v node > /dev/null || { echo "skip live: no node (package nodejs)"; exit 0; }
@@ -19,6 +19,7 @@ if command -v chromium > /dev/null && [ -d tests/node_modules/playwright-core ];
   timeout 400 node tests/page/live_words.mjs "$BUILD/vs" "$work/words" || echo "not ok live/browser: words ended with $?"
   timeout 200 node tests/page/live_making.mjs "$BUILD/vs" "$work/making" || echo "not ok live/browser: making ended with $?"
   timeout 200 node tests/page/live_scene.mjs "$BUILD/vs" "$work/scene" || echo "not ok live/browser: scene ended with $?"
+  timeout 200 node tests/page/live_joint.mjs "$BUILD/vs" "$work/joint" || echo "not ok live/browser: joint ended with $?"
   timeout 200 node tests/page/live_frames.mjs "$BUILD/vs" "$work/frames" || echo "not ok live/browser: frames ended with $?"
   timeout 400 node tests/page/live_examples.mjs "$BUILD/vs" "$work/examples" || echo "not ok live/browser: examples ended with $?"
   timeout 400 node tests/page/live_runs.mjs "$BUILD/vs" "$work/runs" || echo "not ok live/browser: runs ended with $?"

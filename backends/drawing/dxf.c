@@ -231,7 +231,7 @@ static void put_fill(writing *out, const vs_mark *m) {
   code_handle(w, 330, MODEL_SPACE);
   code(w, 100, "AcDbEntity");
   code(w, 8, vs_drawn_rows[m->layer].name);
-  code_int(w, 62, grey_index(m->grey));
+  code_int(w, 62, m->layer == VS_DRAWN_FAULT ? vs_drawn_rows[m->layer].colour : grey_index(m->grey));
   code(w, 100, "AcDbHatch");
   for (int i = 10; i <= 30; i += 10) code_real(w, i, 0);
   code_real(w, 210, 0);

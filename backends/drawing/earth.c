@@ -56,7 +56,8 @@ static bool add_loop(vs_emitter *e, vs_flat_view *v, const vs_vec2 *at, size_t c
 static bool add_earth_fill(vs_emitter *e, vs_flat_view *v, const vs_area *a) {
   if (a->loop_count == 0) return true;
   if (!vs_emit_grow(e, &v->fills, &v->fill_room, v->fill_count + 1, sizeof *v->fills)) return false;
-  v->fills[v->fill_count++] = (vs_flat_fill){ (uint32_t)v->loop_count, (uint32_t)a->loop_count, NULL, true };
+  v->fills[v->fill_count++] = (vs_flat_fill){ (uint32_t)v->loop_count, (uint32_t)a->loop_count, NULL,
+                                              VS_FILL_EARTH };
   bool ok = true;
   for (size_t l = 0, first = 0; ok && l < a->loop_count; first += a->size[l++])
     ok = add_loop(e, v, a->at + first, a->size[l]);

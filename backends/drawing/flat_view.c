@@ -9,6 +9,7 @@
 
 #include "backends/lower.h"
 #include "backends/drawing/earth.h"
+#include "backends/drawing/fault_marks.h"
 #include "backends/drawing/flat_view.h"
 #include "geometry/plane/slice.h"
 #include "model/store/patient_sort.h"
@@ -423,7 +424,7 @@ static bool take_loop(seen *s, border *all, size_t count, size_t i, double slack
   if (!fill || fill->material != m) {
     if (!vs_emit_grow(s->e, &v->fills, &v->fill_room, v->fill_count + 1, sizeof *v->fills)) return false;
     fill = &v->fills[v->fill_count++];
-    *fill = (vs_flat_fill){ (uint32_t)v->loop_count - 1, 0, m, false };
+    *fill = (vs_flat_fill){ (uint32_t)v->loop_count - 1, 0, m, VS_FILL_CUT };
   }
   fill->loop_count++;
   return true;
@@ -569,7 +570,8 @@ bool vs_flat_view_make(vs_emitter *e, vs_flat_view *v, const vs_loose *loose, vs
   s.closed = s.triangle_count;
   ok = ok && add_loose(&s, loose);
   vs_sight sight = sight_of(&s);
-  ok = ok && vs_sight_find_edges(&s.host, &sight, &s.edges, e->error) && add_fills(&s) && add_veil(&s);
+  ok = ok && vs_sight_find_edges(&s.host, &sight, &s.edges, e->error) && add_fills(&s) && add_veil(&s) &&
+       vs_flat_faults(e, v);
   sight = sight_of(&s);
   ok = ok && vs_sight_find_visible(&s.host, &sight, &s.edges, v->spec.hidden, &s.pieces, e->error) && add_lines(&s) &&
        find_labels(&s);

@@ -15,6 +15,7 @@ typedef enum {
 } vs_drawn_layer;
 typedef struct { const char *name; double width, dash, gap, dot, grey; int colour, weight; } vs_layer_row;
 extern const vs_layer_row vs_drawn_rows[VS_DRAWN_LAYERS];
+extern const double vs_fault_color[3]; /* of the fill of an object that breaks a rule, for .svg and .pdf */
 
 /* Space that notes need around a view, in millimetres on paper. */
 typedef struct { double left, right, below, above; } vs_sheet_room;
@@ -27,9 +28,10 @@ typedef struct {
   vs_drawn_layer layer;
   uint32_t own; /* number of the program's layer that the line belongs to; 0: none */
 } vs_flat_line;
-/* Loops that bound a fill; the even-odd rule decides which points are inside. earth: true if the fill is earth, which
- * has no material. */
-typedef struct { uint32_t first_loop, loop_count; const vs_material *material; bool earth; } vs_flat_fill;
+/* The content of a fill: a cut face of a material, the earth, or an object that breaks a rule. */
+typedef enum { VS_FILL_CUT, VS_FILL_EARTH, VS_FILL_FAULT } vs_fill_kind;
+/* Loops that bound a fill; the even-odd rule decides which points are inside. material: that of a cut face, or NULL. */
+typedef struct { uint32_t first_loop, loop_count; const vs_material *material; vs_fill_kind kind; } vs_flat_fill;
 
 typedef struct {
   vs_scene_view spec;     /* specification of the view by the program; spec.name is its name on the sheet */

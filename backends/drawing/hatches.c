@@ -135,10 +135,12 @@ bool vs_sheet_fill(const vs_sheet_pen *pen, const vs_flat_fill *fill) {
         v->points[v->loops[l].first + i]);
   }
   const double pi = 3.14159265358979323846;
-  if (fill->earth) return lines_across(pen, VS_DRAWN_EARTH, first, pi / 4, earth_spacing);
+  if (fill->kind == VS_FILL_EARTH) return lines_across(pen, VS_DRAWN_EARTH, first, pi / 4, earth_spacing);
+  const bool fault = fill->kind == VS_FILL_FAULT;
   if (!vs_emit_grow(e, &s->marks, &s->mark_room, s->mark_count + 1, sizeof *s->marks)) return false;
-  s->marks[s->mark_count++] = (vs_mark){ .kind = VS_MARK_FILL, .layer = VS_DRAWN_FILL, .view = pen->view,
-      .first = first, .count = fill->loop_count, .grey = h->grey };
+  s->marks[s->mark_count++] = (vs_mark){ .kind = VS_MARK_FILL, .layer = fault ? VS_DRAWN_FAULT : VS_DRAWN_FILL,
+      .view = pen->view, .first = first, .count = fill->loop_count, .grey = h->grey };
+  if (fault) return true;
   const double angle = h->angle * (pi / 180);
   if (h->spacing > 0 && !lines_across(pen, VS_DRAWN_HATCH, first, angle, h->spacing)) return false;
   return !h->crossed || lines_across(pen, VS_DRAWN_HATCH, first, angle + pi / 2, h->spacing);

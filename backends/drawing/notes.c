@@ -197,8 +197,17 @@ static bool axis(const vs_sheet_pen *pen, const vs_scene_note *n) {
          vs_sheet_text(pen, &(vs_sheet_words){ n->text, { c.x, c.y - cap / 2 }, cap, 0, 0.5 });
 }
 
+/* Draws a label: its lines below each other, their middle at the point of the label. */
 static bool label(const vs_sheet_pen *pen, const vs_scene_note *n) {
-  return vs_sheet_text(pen, &(vs_sheet_words){ n->text, seen_at(view_of(pen), n->p), cap, 0, 0.5 });
+  vs_sheet_point at = seen_at(view_of(pen), n->p);
+  for (const char *c = n->text; *c; c++) at.y += *c == '\n' ? 0.8 * cap : 0;
+  bool ok = true;
+  for (const char *line = n->text, *end; ok && *line; line = *end ? end + 1 : end, at.y -= 1.6 * cap) {
+    end = line + strcspn(line, "\n");
+    const char *text = vs_store_text(pen->e->scene->store, line, (size_t)(end - line));
+    ok = text ? vs_sheet_text(pen, &(vs_sheet_words){ text, at, cap, 0, 0.5 }) : vs_emit_no_memory(pen->e);
+  }
+  return ok;
 }
 
 /* Draws the ground line where a section cuts the earth: those sides of the earth's area that are at the height of the
@@ -221,7 +230,7 @@ static bool ground(const vs_sheet_pen *pen) {
   const vs_flat_view *v = view_of(pen);
   if (!e->scene->has_ground || !is_upright(v)) return true;
   for (size_t i = 0; i < v->fill_count; i++)
-    if (v->fills[i].earth) return ground_of_earth(pen, &v->fills[i]);
+    if (v->fills[i].kind == VS_FILL_EARTH) return ground_of_earth(pen, &v->fills[i]);
   double y = seen_at(v, vs_v3(0, 0, e->scene->ground_z)).y, x0 = v->at.x, x1 = x0 + (v->high.x - v->low.x) * v->mm,
       more = 8;
   return vs_sheet_stroke(pen, VS_DRAWN_GROUND, (vs_sheet_point){ x0 - more, y }, (vs_sheet_point){ x1 + more, y });

@@ -98,7 +98,10 @@ static void put_mark(const writing *w, const vs_mark *m) {
     w->lib->HPDF_Page_Stroke(w->page);
     break;
   case VS_MARK_FILL:
-    w->lib->HPDF_Page_SetGrayFill(w->page, (HPDF_REAL)m->grey);
+    if (m->layer == VS_DRAWN_FAULT)
+      w->lib->HPDF_Page_SetRGBFill(w->page, (HPDF_REAL)vs_fault_color[0], (HPDF_REAL)vs_fault_color[1],
+                                   (HPDF_REAL)vs_fault_color[2]);
+    else w->lib->HPDF_Page_SetGrayFill(w->page, (HPDF_REAL)m->grey);
     for (uint32_t l = m->first; l < m->first + m->count; l++) outline(w, w->s->loops[l].first, w->s->loops[l].count,
         true);
     w->lib->HPDF_Page_Eofill(w->page);

@@ -7,7 +7,7 @@
 #define VS_PDF_FUNCTIONS(X) \
   X(HPDF_NewEx) X(HPDF_Free) X(HPDF_SetCompressionMode) X(HPDF_AddPage) X(HPDF_Page_SetWidth) \
   X(HPDF_Page_SetHeight) X(HPDF_Page_SetLineWidth) X(HPDF_Page_SetLineCap) X(HPDF_Page_SetLineJoin) \
-  X(HPDF_Page_SetGrayStroke) X(HPDF_Page_SetRGBStroke) X(HPDF_Page_SetGrayFill) \
+  X(HPDF_Page_SetGrayStroke) X(HPDF_Page_SetRGBStroke) X(HPDF_Page_SetGrayFill) X(HPDF_Page_SetRGBFill) \
   X(HPDF_Page_MoveTo) X(HPDF_Page_LineTo) \
   X(HPDF_Page_ClosePath) X(HPDF_Page_Stroke) X(HPDF_Page_Eofill) X(HPDF_Page_BeginText) X(HPDF_Page_EndText) \
   X(HPDF_Page_SetFontAndSize) X(HPDF_Page_SetTextMatrix) X(HPDF_Page_ShowText) X(HPDF_Page_TextWidth) \

@@ -18,6 +18,7 @@ const vs_layer_row vs_drawn_rows[VS_DRAWN_LAYERS] = {
   { name, width, dash, gap, dot, grey, colour, weight },
 #include "backends/drawing/layers.def"
 };
+const double vs_fault_color[3] = { 0.96, 0.72, 0.7 };
 
 typedef struct { const char *name; double width, height; } paper;
 static const paper papers[] = {

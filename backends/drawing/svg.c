@@ -27,6 +27,11 @@ static void colour(vs_writer *w, const char *name, double grey) {
   vs_putf(w, " %s=\"#%02x%02x%02x\"", name, level, level, level);
 }
 
+static void painted(vs_writer *w, const char *name, const double color[3]) {
+  vs_putf(w, " %s=\"#%02x%02x%02x\"", name, (unsigned)(255 * color[0] + 0.5), (unsigned)(255 * color[1] + 0.5),
+          (unsigned)(255 * color[2] + 0.5));
+}
+
 static void text(vs_writer *w, const vs_sheet *s, const vs_mark *m) {
   static const char *const anchors[] = { "start", "middle", "end" };
   vs_puts(w, "<text x=\"");
@@ -64,7 +69,8 @@ static void group(vs_writer *w, const vs_sheet *s, const uint32_t *order, size_t
       break;
     case VS_MARK_FILL:
       vs_puts(w, "<path");
-      colour(w, "fill", m->grey);
+      if (m->layer == VS_DRAWN_FAULT) painted(w, "fill", vs_fault_color);
+      else colour(w, "fill", m->grey);
       vs_puts(w, " d=\"");
       for (uint32_t l = m->first; l < m->first + m->count; l++) outline(w, s, s->loops[l].first, s->loops[l].count,
           true);
@@ -84,16 +90,14 @@ typedef struct {
 
 static void style(vs_writer *w, vs_drawn_layer which, const vs_scene_pen *pen) {
   const vs_layer_row *r = &vs_drawn_rows[which];
-  if (which == VS_DRAWN_FILL) {
+  if (which == VS_DRAWN_FILL || which == VS_DRAWN_FAULT) {
     vs_puts(w, " stroke=\"none\" fill-rule=\"evenodd\"");
   } else if (which == VS_DRAWN_TEXT) {
     colour(w, "fill", r->grey);
     vs_puts(w, " font-family=\"DejaVu Sans, sans-serif\"");
   } else {
     vs_puts(w, " fill=\"none\"");
-    if (pen && pen->colored)
-      vs_putf(w, " stroke=\"#%02x%02x%02x\"", (unsigned)(255 * pen->color[0] + 0.5),
-              (unsigned)(255 * pen->color[1] + 0.5), (unsigned)(255 * pen->color[2] + 0.5));
+    if (pen && pen->colored) painted(w, "stroke", pen->color);
     else colour(w, "stroke", r->grey);
     vs_puts(w, " stroke-width=\"");
     number(w, pen && pen->line > 0 ? pen->line : r->width);

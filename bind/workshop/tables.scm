@@ -212,7 +212,7 @@
   (if (not (region? region)) (error 'room-label "region must be a region, got ~s" region))
   (if (not (string? name)) (error 'room-label "name must be a string, got ~s" name))
   (%need-digits 'room-label digits)
-  (let ((text (string-append name "  " (%fixed-text (* (area region) (expt (cadddr (%schedule-looks region)) 2)) digits) " m²")))
+  (let ((text (string-append name "\n" (%fixed-text (* (area region) (expt (cadddr (%schedule-looks region)) 2)) digits) " m²")))
     (if view (label (region-middle region) text #:view view) (label (region-middle region) text))))
 
 ; ---- tables on the sheet ----
