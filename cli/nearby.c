@@ -46,7 +46,8 @@ void cli_nearby_offer(cli_nearby *n, const char *name) {
 bool cli_nearby_is_program(const char *name) {
   const char *dot = strrchr(name, '.');
   return dot && dot > name &&
-         (!strcmp(dot, ".vs") || !strcmp(dot, ".js") || !strcmp(dot, ".lsp") || !strcmp(dot, ".gml"));
+         (!strcmp(dot, ".vs") || !strcmp(dot, ".js") || !strcmp(dot, ".lsp") ||
+          !strcmp(dot, ".gml") || !strcmp(dot, ".scad"));
 }
 
 bool cli_nearby_program(const char *path, char *room, size_t size) {

@@ -57,7 +57,8 @@ static void print_licenses(void) {
 static void print_help(void) {
   puts("vs: solid models from Scheme programs\n");
   puts("  vs                  a prompt");
-  puts("  vs FILE             run FILE: Scheme, JavaScript (.js), GML (.gml), AutoLISP (.lsp); - is standard input");
+  puts("  vs FILE             run FILE: Scheme, JavaScript (.js), GML (.gml), AutoLISP (.lsp), OpenSCAD (.scad);\n"
+       "                      - is standard input");
   puts("  vs FILE -o OUT ...  run FILE and write its model");
   puts("  vs FILE -- ARG ...  run FILE, whose (command-line) ends in these arguments");
   for (const cli_command_row *c = cli_command_rows; c < cli_command_rows + CLI_COMMANDS; c++)

@@ -8,6 +8,7 @@
 #include "vm/gml/gml_reader.h"
 #include "vm/javascript/read_script.h"
 #include "vm/library/port.h"
+#include "vm/openscad/openscad_reader.h"
 #include "vm/values/string_chars.h"
 
 /* ---- paths of files ---- */

@@ -1,0 +1,85 @@
+; Solids with the facets that $fn, $fa and $fs ask for, and their places.
+
+(define (special name) (cell-value (scad:special name)))
+; Returns the number of facets of a full turn of radius r.
+(define (facets r)
+  (let ((fn (special '$fn)) (fa (special '$fa)) (fs (special '$fs)))
+    (cond ((< r 1e-6) 3)
+          ((and (number? fn) (> fn 0.0)) (exact (truncate (max fn 3.0))))
+          (else (exact (ceiling (max 5.0 (min (/ 360.0 fa) (/ (* r 2.0 (acos -1.0)) fs)))))))))
+(define (number-or v default) (if (number? v) v default))
+
+; Returns the three numbers of a vector, or of a number for each axis; #f for other values.
+(define (three v default)
+  (cond ((number? v) (list v v v))
+        ((and (vector? v) (<= 2 (vector-length v) 3) (numbers? v)) (if (= 3 (vector-length v)) (vector->list v) (append (vector->list v) (list default))))
+        (else #f)))
+
+(define (scad:m:cube k size center)
+  (let* ((s (if (given size) (three size 0.0) '(1.0 1.0 1.0))))
+    (cond ((not s) (warning "cube: the size is no number and no vector of three") '())
+          ((not (every (lambda (x) (and (finite? x) (> x 0.0))) s)) '())
+          (else
+           (let ((p (if (and (given center) (scad:true? center)) (map (lambda (x) (/ x -2.0)) s) '(0.0 0.0 0.0))))
+             (list (make-box (apply xyz p) (apply xyz (map + p s)))))))))
+
+(define (radius r d default) (cond ((number? d) (/ d 2.0)) ((number? r) r) (else default)))
+(define (ring n r z) (map (lambda (i) (let ((a (/ (* 360.0 i) n))) (xyz (* r (cosine a)) (* r (sine a)) z))) (iota n)))
+
+(define (scad:m:sphere k r d)
+  (let ((r (radius r d 1.0)))
+    (if (not (and (finite? r) (> r 0.0))) '()
+        (let* ((n (facets r)) (rows (quotient (+ n 1) 2))
+               (points (append-map (lambda (i) (let ((a (/ (* 180.0 (+ i 0.5)) rows))) (ring n (* r (sine a)) (* r (cosine a))))) (iota rows)))
+               (at (lambda (row i) (+ 1 (* row n) (modulo i n))))
+               (sides (append-map (lambda (row) (map (lambda (i) (list (at row i) (at (+ row 1) i) (at (+ row 1) (+ i 1)) (at row (+ i 1)))) (iota n))) (iota (- rows 1)))))
+          (list (make-polyface-mesh points
+                  (cons* (map (lambda (i) (at 0 i)) (iota n)) (map (lambda (i) (at (- rows 1) (- i))) (iota n)) sides)))))))
+
+(define (scad:m:cylinder k h r1 r2 center r d d1 d2)
+  (let* ((h (number-or h 1.0)) (both (radius r d 1.0)) (a (radius r1 d1 both)) (b (radius r2 d2 both)) (z (if (and (given center) (scad:true? center)) (/ h -2.0) 0.0)))
+    (if (not (and (finite? h) (finite? a) (finite? b) (> h 0.0) (>= a 0.0) (>= b 0.0) (> (max a b) 0.0))) '()
+        (let ((n (facets (max a b))) (low (xyz 0.0 0.0 z)) (high (xyz 0.0 0.0 (+ z h))))
+          (list (if (= a 0.0) (make-pyramid high b n low 0.0) (make-pyramid low a n high b)))))))
+
+(define (scad:m:polyhedron k points faces convexity triangles)
+  (let ((faces (if (given faces) faces triangles)))
+    (define (point p) (let ((l (three p 0.0))) (and (vector? p) l (apply xyz l))))
+    (define (corner i) (+ 1 (exact (truncate i))))
+    (if (not (and (vector? points) (vector? faces) (every point (vector->list points)) (every (lambda (f) (and (vector? f) (numbers? f))) (vector->list faces))))
+        (begin (warning "polyhedron: points and faces are lists of vectors of numbers") '())
+        (list (make-polyface-mesh (map point (vector->list points)) (map (lambda (f) (reverse (map corner (vector->list f)))) (vector->list faces)))))))
+
+; ---- places ----
+
+(define (moved k matrix) (each-object (lambda (o) (do-transform o matrix)) k))
+(define (scad:m:translate k v)
+  (let ((l (and (vector? v) (three v 0.0))))
+    (if l (each-object (lambda (o) (do-move o (apply vxyz l))) k) (begin (warning "translate: a vector of three numbers is needed") (all-children k)))))
+(define (scad:m:scale k v)
+  (let ((l (three v 1.0)))
+    (if l (moved k (make-matrix (car l) 0.0 0.0 0.0 0.0 (cadr l) 0.0 0.0 0.0 0.0 (caddr l) 0.0 0.0 0.0 0.0 1.0))
+        (begin (warning "scale: a number or a vector of three is needed") (all-children k)))))
+(define (turn axis a)
+  (let ((c (cosine a)) (s (sine a)))
+    (case axis
+      ((x) (make-matrix 1.0 0.0 0.0 0.0 0.0 c (- s) 0.0 0.0 s c 0.0 0.0 0.0 0.0 1.0))
+      ((y) (make-matrix c 0.0 s 0.0 0.0 1.0 0.0 0.0 (- s) 0.0 c 0.0 0.0 0.0 0.0 1.0))
+      (else (make-matrix c (- s) 0.0 0.0 s c 0.0 0.0 0.0 0.0 1.0 0.0 0.0 0.0 0.0 1.0)))))
+(define (scad:m:rotate k a v)
+  (let ((angles (and (vector? a) (three a 0.0))) (axis (and (vector? v) (three v 0.0))))
+    (cond (angles (moved k (matrix* (turn 'z (caddr angles)) (turn 'y (cadr angles)) (turn 'x (car angles)))))
+          ((and (number? a) axis) (each-object (lambda (o) (do-rotate o origin (apply vxyz axis) (* a degree))) k))
+          ((number? a) (moved k (turn 'z a)))
+          (else (warning "rotate: an angle or a vector of three is needed") (all-children k)))))
+(define (scad:m:mirror k v)
+  (let ((l (and (vector? v) (three v 0.0))))
+    (if (and l (not (every zero? l))) (each-object (lambda (o) (do-mirror o (make-plane origin (apply vxyz l)))) k) (all-children k))))
+(define (scad:m:multmatrix k m)
+  (if (and (vector? m) (<= 3 (vector-length m) 4) (matrix? m 4))
+      (moved k (apply make-matrix (append (append-map vector->list (list (vector-ref m 0) (vector-ref m 1) (vector-ref m 2))) '(0.0 0.0 0.0 1.0))))
+      (all-children k)))
+(define (scad:m:color k c alpha)
+  (cond ((string? c) (each-object (lambda (o) (color c o)) k))
+        ((and (vector? c) (>= (vector-length c) 3) (numbers? c)) (each-object (lambda (o) (color (list (vector-ref c 0) (vector-ref c 1) (vector-ref c 2)) o)) k))
+        (else (all-children k))))
