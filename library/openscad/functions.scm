@@ -154,7 +154,7 @@
 (define (found-in-string what where count)
   (list->vector (filter values (map (lambda (c) (one-or-all (places-of (string c) where count 0.0) count)) (string->list what)))))
 (define (found-rows l where count column)
-  (list->vector (map (lambda (v) (or (one-or-all (places-of v where count column) count) (vector))) l)))
+  (list->vector (map (lambda (v) (or (one-or-all (if (string? where) '() (places-of v where count column)) count) (vector))) l)))
 
 (define (scad:f:version . l) (vector 2021.0 1.0 0.0))
 (define (scad:f:version_num . l) 20210100.0)

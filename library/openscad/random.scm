@@ -28,6 +28,9 @@
     (set! next-word (+ next-word 1))
     (bitwise-xor y (quotient y 262144))))
 (seed-twister! 5489)
+; Returns a number from 0 to 1 made of two words, the lower one first.
+(define (random-fraction!)
+  (let* ((low (random-word!)) (high (random-word!))) (exact->inexact (/ (+ low (* high 4294967296)) 18446744073709551616))))
 
 (define (scad:f:rands . l)
   (cond ((not (<= 3 (length l) 4)) (wrong-count "rands"))
@@ -37,4 +40,4 @@
          (let* ((low (min (car l) (cadr l))) (high (max (car l) (cadr l))) (n (exact (floor (max 0.0 (caddr l))))))
            (let loop ((i 0) (all '()))
              (if (= i n) (list->vector (reverse all))
-                 (loop (+ i 1) (cons (if (= low high) low (+ low (* (/ (random-word!) 4294967295.0) (- high low)))) all))))))))
+                 (loop (+ i 1) (cons (if (= low high) low (+ low (* (random-fraction!) (- high low)))) all))))))))

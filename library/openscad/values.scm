@@ -185,7 +185,7 @@
     (if (eq? v scad:absent) (begin (scad:unknown "variable" (symbol->string (cell-name c))) undef) v)))
 (define (scad:set-special! c v) (set-cell-value! c v))
 (define (special-default! name v) (set-cell-value! (scad:special name) v))
-(for-each special-default! '($fn $fa $fs $t $preview $vpr $vpt $vpd $vpf) (list 0.0 12.0 2.0 0.0 #f (vector 55.0 0.0 25.0) (vector 0.0 0.0 0.0) 140.0 22.5))
+(for-each special-default! '($fn $fa $fs $t $preview $vpr $vpt $vpd $vpf) (list 0.0 12.0 2.0 0.0 #f (vector 0.0 0.0 0.0) (vector 0.0 0.0 0.0) 140.0 22.5))
 (define-syntax scad:with-special
   (syntax-rules ()
     ((_ c v body)
