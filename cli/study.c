@@ -7,6 +7,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "cli/batch/translate_foreign.h"
 #include "cli/batch/whole_file.h"
 #include "cli/draft.h"
 #include "cli/messages.h"
@@ -247,6 +248,7 @@ static bool has_language(const cli_options *o) {
 }
 
 vs_outcome cli_study(const cli_options *o) {
+  if (cli_translates_foreign(o)) return cli_translate_foreign(o);
   if (!has_language(o)) return VS_OUTCOME_USAGE;
   study s = {0};
   vs_options interpreter = o->interpreter;

@@ -1,7 +1,7 @@
 ; OpenSCAD: the forms that vm/openscad/openscad_reader.c makes of a .scad file, and the procedures of the programs that
 ; the library (openscad compiler) makes of them.
 (define-library (openscad)
-  (export scad:program
+  (export scad:program scad:parameter
           (rename begin begin) (rename define define) (rename if if) (rename lambda lambda) (rename let let) (rename letrec letrec) (rename quote quote)
           (rename set! set!) (rename eq? eq?) (rename not not) (rename flonum? flonum?) (rename vector vector) (rename cons cons) (rename list list)
           scad:absent scad:add scad:call scad:children scad:divide scad:draw scad:each scad:each-of scad:echo scad:equal?
@@ -14,11 +14,17 @@
           scad:m:color scad:m:cylinder scad:m:difference scad:m:group scad:m:hull scad:m:intersection scad:m:mirror
           scad:m:multmatrix scad:m:polyhedron scad:m:render scad:m:rotate scad:m:scale scad:m:sphere scad:m:translate
           scad:m:union scad:mark scad:member scad:missing scad:modulo scad:more scad:more-equal scad:multiply scad:negate
-          scad:no-kids scad:power scad:range scad:range-by scad:set-special! scad:special scad:special-value scad:subtract
+          scad:no-kids scad:power scad:range scad:range-by scad:real scad:set-special! scad:special scad:special-value scad:start scad:subtract
           scad:too-many scad:true? scad:unknown scad:unknown-argument scad:vector-of scad:with-special
-          scad:m:cube)
+          scad:m:cube scad:m:square scad:m:circle scad:m:polygon scad:m:offset scad:m:text scad:m:linear_extrude scad:m:rotate_extrude
+          scad:m:projection scad:m:minkowski scad:m:resize scad:m:import scad:m:surface)
   (import (visualscheme) (only (analysis core) warn) (openscad compiler))
   (begin
     (define-syntax scad:program
-      (er-macro-transformer (lambda (form rename compare) (scad-program form rename)))))
-  (include "openscad/values.scm" "openscad/texts.scm" "openscad/functions.scm" "openscad/random.scm" "openscad/modules.scm" "openscad/solids.scm"))
+      (er-macro-transformer (lambda (form rename compare) (scad-program form rename))))
+    ; A parameter that a user may set; a number of the command line becomes a real one.
+    (define-syntax scad:parameter
+      (syntax-rules ()
+        ((_ name value . keywords) (begin (define-parameter name value . keywords) (set! name (scad:real name)))))))
+  (include "openscad/values.scm" "openscad/texts.scm" "openscad/functions.scm" "openscad/random.scm" "openscad/modules.scm" "openscad/solids.scm"
+           "openscad/plane.scm" "openscad/extrusions.scm" "openscad/files.scm"))

@@ -149,6 +149,14 @@ awk -v work="$work" '
 "$BUILD/vs" --quiet "$work/blocks.lsp" > "$work/said" 2> "$work/errors"
 if diff "$work/lsp-wanted" "$work/said" > "$work/diff" && [ ! -s "$work/errors" ]; then echo "ok manual/autolisp"
 else echo "not ok manual/autolisp"; sed 's/^/    /' "$work/diff" "$work/errors"; fi
+# The programs in OpenSCAD on its page print what their lines give.
+awk -v work="$work" '
+  /^```scad$/ { inside = 1; next }
+  /^```$/    { inside = 0 }
+  inside     { n = split($0, part, "// => "); print part[1] > (work "/blocks.scad"); if (n > 1) print part[2] > (work "/scad-wanted") }' manual/openscad.md
+"$BUILD/vs" --quiet "$work/blocks.scad" > "$work/said" 2> "$work/errors"
+if diff "$work/scad-wanted" "$work/said" > "$work/diff" && [ $(grep -c "warning: " "$work/errors") = 1 ]; then echo "ok manual/openscad"
+else echo "not ok manual/openscad"; sed 's/^/    /' "$work/diff" "$work/errors"; fi
 # The page describes every operator.
 "$BUILD/vs" --quiet -e '(import (only (gml) gml:operators)) (for-each displayln (map symbol->string (gml:operators)))' | sort > "$work/names"
 grep -v '^```' manual/gml.md | grep -o '`[^`]*`' | tr -d '\140' | tr ' .' '\n\n' | sort -u > "$work/described"

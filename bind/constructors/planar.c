@@ -207,7 +207,7 @@ static bool what_is_left(const vs_node *n, size_t *count, vs_error *e) {
 }
 
 vs_status vs_p_do_offset(vs_args *f, vs_value *out) {
-  static const char *const names[] = { "mitre", "round", "square" };
+  static const char *const names[] = { "mitre", "round", "square", "facets" };
   const char *corners = f->key[0].given ? f->key[0].text.at : names[0];
   struct vs_offset d = { .distance = f->arg[1].real,
                          .segments = f->key[1].given ? (int32_t)f->key[1].integer : vs_bind_segments(f->vm) };
@@ -215,8 +215,8 @@ vs_status vs_p_do_offset(vs_args *f, vs_value *out) {
   vs_shape_plane plane;
   size_t i = 0, left;
   vs_ref whole = f->arg[0].ref;
-  while (i < 3 && strcmp(corners, names[i])) i++;
-  if (i == 3) return vs_bind_refuse(f, "corners", "'mitre, 'round or 'square", f->key[0].value);
+  while (i < 4 && strcmp(corners, names[i])) i++;
+  if (i == 4) return vs_bind_refuse(f, "corners", "'mitre, 'round, 'square or 'facets", f->key[0].value);
   if (vs_node_is_empty(NODE(0))) return vs_bind_give_node(f, vs_node_retain(NODE(0)), out);
   if (vs_is_several(NODE(0)) && !(NODE(0)->flags & VS_NODE_CLOSED)) return vs_bind_each_part(f, vs_p_do_offset, out);
   if (NODE(0)->kind == VS_XLINE || NODE(0)->kind == VS_RAY)

@@ -49,7 +49,8 @@ bool vs_area_holds(const vs_area *a, double x, double y);
 bool vs_points_delaunay(const vs_vec2 *at, size_t n, uint32_t (**out)[3], size_t *count, vs_error *e);
 
 /* ---- implemented in offset.c ---- */
-typedef enum { VS_OFFSET_MITRE, VS_OFFSET_ROUND, VS_OFFSET_SQUARE } vs_offset_corners;
+/* VS_OFFSET_FACETS: round, with facets that turn by a whole part of a circle each; the last one takes the rest. */
+typedef enum { VS_OFFSET_MITRE, VS_OFFSET_ROUND, VS_OFFSET_SQUARE, VS_OFFSET_FACETS } vs_offset_corners;
 
 /* A circle or arc that is the exact offset of a circle or arc, found by vs_offset_round. A circle is stored as an arc
  * from 0 to 2 pi. */

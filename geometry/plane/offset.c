@@ -73,7 +73,15 @@ static bool offset_join(vs_offsetter *o, vs_vec2 p, const vs_offset_edge *a, con
          half = atan2(fabs(sine), cosine) / 2;
   bool ok = offset_far(o, p, a->nx, a->ny);
   double least = 1 / cos(half);
-  if (o->corners == VS_OFFSET_ROUND) {
+  if (o->corners == VS_OFFSET_FACETS) {
+    double step = (sine < 0 ? -2 : 2) * pi / o->turn;
+    int steps = (int)floor(half / pi * o->turn + 0.5);
+    for (int i = 1; ok && i < steps; i++) {
+      double s, c;
+      vs_sincos(step * i, &s, &c);
+      ok = offset_far(o, p, a->nx * c - a->ny * s, a->nx * s + a->ny * c);
+    }
+  } else if (o->corners == VS_OFFSET_ROUND) {
     int steps = (int)ceil(half / pi * o->turn - 1e-9);
     for (int i = 1; ok && i < steps; i++) {
       double s, c, w = (sine < 0 ? -2 : 2) * half * i / steps;

@@ -300,6 +300,7 @@ static bool flat_offset(vs_flat *f, const vs_flat_frame *at, vs_flat_value *in, 
   const struct vs_offset *x = VS_AS(offset, at->ref->node);
   vs_offset_corners corners = *x->corners == 'r'   ? VS_OFFSET_ROUND
                               : *x->corners == 's' ? VS_OFFSET_SQUARE
+                              : *x->corners == 'f' ? VS_OFFSET_FACETS
                                                    : VS_OFFSET_MITRE;
   vs_offset_rule rule = { x->distance, corners, &at->facets, x->segments };
   vs_area area = { 0 }, made = { 0 };

@@ -18,7 +18,7 @@
            (if i (append (child k i) all) (begin (warning "child ~a does not exist: there are ~a" (text-of which) (kids-number k)) all))))
         (else (scad:fold (lambda (i all) (scad:children k i all)) all which))))
 
-(define (one l) (if (null? (cdr l)) (car l) (unite (reverse l))))
+(define (one l) (let ((l (alike l))) (if (null? (cdr l)) (car l) (unite (reverse l)))))
 (define (made o) (if (empty-object? o) '() (list o)))
 (define (each-object f k) (map f (all-children k)))
 
@@ -28,14 +28,18 @@
 (define (scad:m:difference k)
   (let ((l (each-child k)))
     (if (or (null? l) (null? (car l))) '()
-        (let ((cutters (append-map (lambda (x) x) (cdr l)))) (if (null? cutters) (car l) (made (subtract (one (car l)) cutters)))))))
-(define (intersection l) (cond ((or (null? l) (any null? l)) '()) ((null? (cdr l)) (car l)) (else (made (apply intersect (map one l))))))
+        (let* ((o (one (car l))) (cutters (keep (append-map (lambda (x) x) (cdr l)) (lambda (c) (eq? (region? c) (region? o))) "difference" "objects of another dimension"))) (if (null? cutters) (car l) (made (subtract o cutters)))))))
+(define (intersection l)
+  (cond ((or (null? l) (any null? l)) '()) ((null? (cdr l)) (car l))
+        (else
+         (let* ((parts (map one l)) (flat? (region? (car parts))))
+           (made (apply intersect (keep parts (lambda (o) (eq? flat? (region? o))) "intersection" "objects of another dimension")))))))
 (define (scad:m:intersection k) (intersection (each-child k)))
 (define (scad:intersection-for l all) (append (intersection (reverse l)) all))
-(define (scad:m:hull k) (let ((l (all-children k))) (if (null? l) '() (list (hull l)))))
+(define (scad:m:hull k) (let ((l (alike (all-children k)))) (if (null? l) '() (list (hull (reverse l))))))
 
 (define (scad:mark mark l all)
-  (case (string-ref mark 0) ((#\#) (append (map highlight l) all)) ((#\!) (append (map only l) all)) (else all)))
+  (case (string-ref mark 0) ((#\#) (append (map highlight l) all)) ((#\!) (append (map only l) all)) ((#\%) (append (map ghost l) all)) (else all)))
 (define (scad:missing name) (warning "the file ~a does not exist" name))
 (define (scad:draw l) (for-each draw (reverse l)))
 (define (scad:finish) #f)

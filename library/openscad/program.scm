@@ -8,7 +8,7 @@
 (define (open-file statements k whole)
   (let* ((tail (if (= k 0) "" (string-append "/" (number->string k))))
          (assigned (filter (lambda (t) (not (special? (cadr t)))) (last-assignments statements)))
-         (symbols (map (lambda (t) (cons (cadr t) (symbol-with "" (cadr t) tail))) assigned))
+         (symbols (map (lambda (t) (cons (cadr t) (symbol-with "" (own-name (cadr t)) tail))) assigned))
          (table (lambda (kind before after)
                   (table-of statements kind (lambda (n) (symbol-with before n (string-append after tail))) (lambda () #f)))))
     (make-file statements (make-scope symbols (table 'function ":" "") (table 'module "" ":") #f #f '() whole) symbols)))
@@ -32,11 +32,6 @@
                   (loop (cdr l) (cons (cons name symbol) known)
                     (cons (or (and main? (parameter-form t s)) (list (word s 'set!) symbol (expression (caddr t) start))) forms)))))))))
 
-; ---- the customizer ----
-
-(define (parameter? t) (and (pair? (cdddr t)) (constant? (caddr t)) (not (equal? (list-ref t 5) "Hidden"))))
-(define (parameter-form t s) #f)
-
 ; Translates all definitions that are wanted, and those that these want. Returns their forms.
 (define (wanted-forms whole files)
   (let loop ((forms '()))
@@ -48,8 +43,11 @@
   (let* ((t (definition-tree d)) (table (if (eq? (car t) 'function) scope-functions scope-modules)))
     (let loop ((l files)) (if (eq? d (hash-ref (table (file-scope (car l))) (cadr t) #f)) (file-scope (car l)) (loop (cdr l))))))
 
-; Returns the program for (scad:program file ...).
+; Returns the program for (scad:program file ...), or an empty one if the program is only translated.
 (define (scad-program form rename)
+  (if only-translates? (begin (print-translation (cdr (program-form form (lambda (name) name)))) (list (rename 'begin)))
+      (program-form form rename)))
+(define (program-form form rename)
   (let* ((cache (make-hasheq))
          (renamed (lambda (name) (or (hash-ref cache name #f) (let ((r (rename name))) (hash-set! cache name r) r))))
          (whole (make-whole renamed '() 0 '() (mentions? (cdr form) 'parent_module)))
@@ -61,4 +59,4 @@
            (procedures (wanted-forms whole files))
            (variables (append-map (lambda (f) (map (lambda (b) (list (renamed 'define) (cdr b) (list (renamed 'quote) 'undef))) (file-symbols f))) files))
            (cells (map (lambda (name) (list (renamed 'define) name (list (renamed 'scad:special) (list (renamed 'quote) name)))) (whole-specials whole))))
-      (append (list (renamed 'begin)) cells variables procedures values drawn (list (list (renamed 'scad:finish)))))))
+      (append (list (renamed 'begin) (list (renamed 'scad:start))) cells variables procedures values drawn (list (list (renamed 'scad:finish)))))))

@@ -33,7 +33,10 @@
     (and s (let ((found (assq name (scope-variables s)))) (if found (cdr found) (loop (scope-up s)))))))
 
 ; Returns a symbol for a new variable: its name, unless that would hide another variable.
-(define (new-symbol s name) (if (find-variable s name) (fresh s name) name))
+(define (new-symbol s name) (if (find-variable s name) (fresh s name) (own-name name)))
+; The words of Scheme that a translated program contains are no names of variables.
+(define (own-name name)
+  (if (memq name '(begin define if lambda let letrec quote vector cons list not import)) (string->symbol (string-append (symbol->string name) "_")) name))
 
 ; Returns the definition of a function or module, or #f. table: scope-functions or scope-modules.
 (define (find-definition s table name)

@@ -105,7 +105,7 @@
 
 (define (then t first rest s) (becomes! t (word s 'begin) first rest))
 (define (joined-to t form s all)
-  (if (and (pair? all) (null? (cdr all))) (becomes-form! t form)
+  (if (and (pair? all) (eq? (car all) (word s 'quote)) (null? (cadr all))) (becomes-form! t form)
       (becomes! t (word s 'scad:join) form all)))
 
 ; Children: their number, and a procedure of the index of a child that returns the objects of that child.

@@ -14,6 +14,8 @@
 
 (define (warning text . l) (warn (apply format text l)) undef)
 
+(define (scad:real v) (if (number? v) (exact->inexact v) v))
+
 (define (kind-of v)
   (cond ((number? v) "number") ((boolean? v) "bool") ((string? v) "string") ((vector? v) "vector") ((range? v) "range") ((scad:function? v) "function") (else "undefined")))
 
@@ -185,7 +187,10 @@
     (if (eq? v scad:absent) (begin (scad:unknown "variable" (symbol->string (cell-name c))) undef) v)))
 (define (scad:set-special! c v) (set-cell-value! c v))
 (define (special-default! name v) (set-cell-value! (scad:special name) v))
-(for-each special-default! '($fn $fa $fs $t $preview $vpr $vpt $vpd $vpf) (list 0.0 12.0 2.0 0.0 #f (vector 0.0 0.0 0.0) (vector 0.0 0.0 0.0) 140.0 22.5))
+; Gives the special variables the values with which every program begins.
+(define (scad:start)
+  (for-each (lambda (c) (set-cell-value! c scad:absent)) (hash-values cells))
+  (for-each special-default! '($fn $fa $fs $t $preview $vpr $vpt $vpd $vpf) (list 0.0 12.0 2.0 0.0 #f (vector 0.0 0.0 0.0) (vector 0.0 0.0 0.0) 140.0 22.5)))
 (define-syntax scad:with-special
   (syntax-rules ()
     ((_ c v body)

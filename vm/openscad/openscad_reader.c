@@ -3,21 +3,7 @@
  *   (import (openscad))
  *   (scad:program (statement ...) (statement ...) ...)
  *
- * The first list is the main file, the others are the files that `use` names. Each tree is a list at its place whose
- * first element is a word:
- *
- *   x = e;                 (= x e)  or, for the customizer,  (= x e comment description group)
- *   function f(a, b = 1) = e;      (function f ((a) (b e)) e)
- *   module m(a) statements         (module m ((a)) statement ...)
- *   m(1, a = 2) children           (do m ((#f 1.0) (a 2.0)) statement ...)
- *   #m();  if (c) s else t         (mark "#" statement)   (if c (s ...) (t ...))
- *   use <file>                     (use k): the k-th list of the program;  (missing "use" "file")
- *   x  1  "s"  true  undef         (var x)  1.0  "s"  #t  (undef)
- *   a + b  !a  -a  a ? b : c       (+ a b)  (not a)  (negate a)  (? a b c)
- *   f(x)  a[i]  a.x                (call f ((#f x)))  (index a i)  (member a x)
- *   [a, b]  [a : b]  [a : s : b]   (list a b)  (range a b)  (range a s b)
- *   let(..) e  assert(..) e        (let arguments e)  (assert arguments e); in lists also each, for, if
- *   function(a) e                  (fn ((a)) e)
+ * The first list is the main file, the others are the files that `use` names. README.md has the table of trees.
  *
  * Statements and expressions within each other are read by recursion down to DEPTH levels. */
 #include "vm/openscad/openscad_reader.h"
@@ -248,7 +234,7 @@ static bool primary(reader *r, vs_value *out) {
   return ok;
 }
 
-/* Reads what follows a value: (arguments), [index], .name. */
+/* Reads a value with the calls, indices and members after it. */
 static bool postfix(reader *r, vs_value *out) {
   VS_ROOTS(r->vm, p, 3);
   vs_pos start = r->now.pos;
@@ -413,15 +399,16 @@ static bool put_comment(reader *r, list to, const char *at, const char *end) {
 }
 
 /* Appends the comment after the assignment on its line, the comment in the line before, and the name of the group. */
-static bool put_customizer(reader *r, list to, const vs_scad_token *name, const vs_scad_token *end) {
+static bool put_customizer(reader *r, list to, const vs_scad_token *name, const vs_scad_group *group) {
   VS_ROOTS(r->vm, p, 1);
+  const vs_scad_token *end = &r->now;
   const char *after = end->text + 1, *before = name->text;
   while (after < end->end && (*after == ' ' || *after == '\t')) after++;
   if (before > name->start && before[-1] == '\n') before--;
   while (before > name->start && before[-1] != '\n') before--;
   p[0] = VS_FALSE;
   return put_comment(r, to, after, end->end) && put_comment(r, to, before, name->text) &&
-         (!r->in.group || vs_string_from_utf8(r->vm, r->in.group, r->in.group_size, &p[0])) &&
+         (!group->at || vs_string_from_utf8(r->vm, group->at, group->size, &p[0])) &&
          put(r, to, p[0], name->pos);
 }
 
@@ -432,10 +419,11 @@ static bool assignment(reader *r, list to) {
   p[0] = VS_NIL, p[1] = VS_NIL;
   list item = { p };
   vs_scad_token name = r->now;
+  const vs_scad_group group = r->in.group; /* the tokens ahead may belong to the next group */
   bool parameter = r->main && r->parameters && r->depth == 1 && vs_pos_file(name.pos) == r->in.main_file;
   if (!put_word(r, item, "=", name.pos) || !put_name(r, item) || !advance(r) || !put_expression(r, item)) return false;
   if (!is(r, ";")) return expected(r, ";");
-  if (parameter && !put_customizer(r, item, &name, &r->now)) return false;
+  if (parameter && !put_customizer(r, item, &name, &group)) return false;
   return advance(r) && put(r, to, p[0], name.pos);
 }
 
@@ -513,7 +501,7 @@ static bool use(reader *r, list to) {
   size_t k = 0;
   bool found = false;
   bool ok = vs_string_from_utf8(r->vm, name.text, name.size, &p[2]) &&
-            vs_source_find(r->vm, p[2], vs_pos_file(name.pos), 0, &path, &found) && vs_text_end(&path) &&
+            vs_scad_find(r->vm, p[2], vs_pos_file(name.pos), &path, &found) && vs_text_end(&path) &&
             (!found || vs_file_number(r->vm, path.at, path.count, &file));
   size_t n = r->used_count;
   for (vs_value l = *r->used; found && vs_is_pair(l); l = vs_cdr(l), n--)

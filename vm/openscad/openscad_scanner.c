@@ -61,6 +61,36 @@ void vs_scad_close(vs_scad_scanner *s) {
   s->texts = NULL;
 }
 
+/* Looks for the file below one folder of libraries. */
+static bool find_below(vs_scheme *vm, const char *folder, size_t length, vs_value name, vs_text *path, bool *found) {
+  VS_ROOTS(vm, r, 1);
+  vs_text t;
+  vs_text_open(vm, &t, 0);
+  bool ok = vs_text_put(&t, folder, length) && vs_text_puts(&t, "/") && vs_text_string(&t, name) &&
+            vs_string_from_utf8(vm, t.at, t.count, &r[0]) && vs_source_find(vm, r[0], 0, 0, path, found);
+  vs_text_close(&t);
+  return ok;
+}
+
+bool vs_scad_find(vs_scheme *vm, vs_value name, uint32_t from, vs_text *path, bool *found) {
+  const char *(*variable)(void *, const char *) = vm->config.io ? vm->config.io->getenv : NULL;
+  const char *folders = variable ? variable(vm->config.user, "OPENSCADPATH") : NULL;
+  bool ok = vs_source_find(vm, name, from, 0, path, found);
+  for (const char *p = folders; ok && !*found && p && *p;) {
+    size_t n = strcspn(p, ":");
+    if (n && *p == '/') ok = find_below(vm, p, n, name, path, found);
+    p += n + (p[n] == ':');
+  }
+  const char *home = variable ? variable(vm->config.user, "HOME") : NULL;
+  vs_text own;
+  vs_text_open(vm, &own, 0);
+  if (ok && !*found && home && *home == '/')
+    ok = vs_text_puts(&own, home) && vs_text_puts(&own, "/.local/share/OpenSCAD/libraries") &&
+         find_below(vm, own.at, own.count, name, path, found);
+  vs_text_close(&own);
+  return ok;
+}
+
 /* Reads the tokens of an included file next. A file that is missing is noted: the program warns of it. */
 static bool include(vs_scad_scanner *s, const vs_scad_token *name) {
   VS_ROOTS(s->vm, r, 1);
@@ -69,7 +99,7 @@ static bool include(vs_scad_scanner *s, const vs_scad_token *name) {
   uint32_t file = 0;
   bool found = false, circle = false;
   bool ok = vs_string_from_utf8(s->vm, name->text, name->size, &r[0]) &&
-            vs_source_find(s->vm, r[0], vs_pos_file(name->pos), 0, &path, &found) && vs_text_end(&path) &&
+            vs_scad_find(s->vm, r[0], vs_pos_file(name->pos), &path, &found) && vs_text_end(&path) &&
             (!found || vs_file_number(s->vm, path.at, path.count, &file));
   for (const vs_scad_file *f = s->file; found && f; f = f->around) if (f->from.file == file) circle = true;
   if (ok && circle) ok = refuse(s, name->pos, "this file includes itself");
@@ -93,8 +123,7 @@ static bool skip_comment(vs_scad_scanner *s) {
   while (start < end && (*start == ' ' || *start == '*' || *start == '\n' || *start == '\r')) start++;
   while (end > start && (end[-1] == ' ' || end[-1] == '*' || end[-1] == '\n' || end[-1] == '\r')) end--;
   if (end - start >= 2 && *start == '[' && end[-1] == ']' && s->file->from.file == s->main_file) {
-    s->group = start + 1;
-    s->group_size = (size_t)(end - start) - 2;
+    s->group = (vs_scad_group){ start + 1, (size_t)(end - start) - 2 };
   }
   return true;
 }

@@ -3,6 +3,7 @@
 #define VS_VM_OPENSCAD_OPENSCAD_SCANNER_H
 
 #include "vm/front/text_cursor.h"
+#include "vm/values/text.h"
 #include "vm/values/value.h"
 
 typedef enum {
@@ -31,13 +32,15 @@ typedef struct vs_scad_file {
 /* The texts of files that have been read: tokens refer to them until the scanner is closed. */
 typedef struct vs_scad_text { struct vs_scad_text *next; size_t size; char at[]; } vs_scad_text;
 
+/* The name of a group of the customizer: `size` bytes of a source text; at: NULL before the first group. */
+typedef struct { const char *at; size_t size; } vs_scad_group;
+
 typedef struct {
   vs_scheme *vm;
   vs_scad_file *file;
   vs_scad_text *texts;
   uint32_t main_file;           /* number of the file whose parameters a user can set */
-  const char *group;            /* name of the customizer's group, as in the last comment [name]; not terminated */
-  size_t group_size;
+  vs_scad_group group;          /* the customizer's group, as in the last comment [name] */
   vs_value *missing;            /* a root of the garbage collector: a list of the names of files that are missing */
 } vs_scad_scanner;
 
@@ -45,6 +48,9 @@ typedef struct {
 bool vs_scad_open_text(vs_scad_scanner *s, const char *text, size_t size, uint32_t file, uint32_t line);
 /* Begins to read a file. Fails if it cannot be read. */
 bool vs_scad_open_file(vs_scad_scanner *s, const char *path, uint32_t file);
+/* Looks for the file of an include or a use: beside file number `from`, in the folders of OPENSCADPATH, and in the
+ * user's folder of OpenSCAD's libraries. Sets *path and *found as vs_source_find does. */
+bool vs_scad_find(vs_scheme *vm, vs_value name, uint32_t from, vs_text *path, bool *found);
 /* Sets *token to the next token. Fails at a text that contains none. */
 bool vs_scad_next(vs_scad_scanner *s, vs_scad_token *token);
 /* Frees the texts of files. */
