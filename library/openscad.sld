@@ -2,7 +2,7 @@
 ; the library (openscad compiler) makes of them.
 (define-library (openscad)
   (export scad:program scad:parameter
-          (rename begin begin) (rename define define) (rename if if) (rename lambda lambda) (rename let let) (rename letrec letrec) (rename quote quote)
+          (rename begin begin) (rename define define) (rename if if) (rename lambda lambda) (rename let let) (rename let* let*) (rename letrec letrec) (rename quote quote)
           (rename set! set!) (rename eq? eq?) (rename not not) (rename flonum? flonum?) (rename vector vector) (rename cons cons) (rename list list)
           scad:absent scad:add scad:call scad:children scad:divide scad:draw scad:each scad:each-of scad:echo scad:equal?
           scad:f:abs scad:f:acos scad:f:asin scad:f:atan scad:f:atan2 scad:f:ceil scad:f:chr scad:f:concat scad:f:cos

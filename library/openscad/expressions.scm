@@ -84,10 +84,10 @@
 (define slow-words '((+ . scad:add) (- . scad:subtract) (* . scad:multiply) (/ . scad:divide) (< . scad:less) (> . scad:more) (<= . scad:less-equal) (>= . scad:more-equal)))
 (define (arithmetic t s)
   (let ((op (car t)) (slow (word s (cdr (assq (car t) slow-words)))))
-    (becomes-form! t (with-operands t s
+    (if only-translates? (becomes! t slow (expression (cadr t) s) (expression (caddr t) s)) (becomes-form! t (with-operands t s
       (lambda (l r)
         (if (or (string? l) (string? r) (boolean? l) (boolean? r)) (list slow l r)
-            (guarded s l r (list (word s op) l r) (list slow l r))))))))
+            (guarded s l r (list (word s op) l r) (list slow l r)))))))))
 (define comparison arithmetic)
 (define (equality t s)
   (let ((equal (lambda (a b) (list (word s 'scad:equal?) a b))) (same? (eq? (car t) '==)))
@@ -155,9 +155,12 @@
           (list (word s 'lambda) (list x l) (if dynamic (list (word s 'scad:with-special) (special-cell s name) x rest) rest))
           all values))))
 
-; for (i = 0; test; i = next) ...
+; for (i = 0; test; i = next) ... A name that only `next` gives begins with its value outside of the loop.
+(define (begun first next s)
+  (let ((missing (filter (lambda (n) (and (car n) (not (assq (car n) first)))) next)))
+    (append first (map (lambda (n) (list (car n) (if (find-variable s (car n)) (list 'var (car n)) (list 'undef)))) missing))))
 (define (while-loop e s all)
-  (let* ((loop (fresh s 'loop)) (l (fresh s 'all)) (first (cadr e)) (next (cadddr e)))
+  (let* ((loop (fresh s 'loop)) (l (fresh s 'all)) (next (cadddr e)) (first (begun (cadr e) next s)))
     (let begin ((a first) (inner s) (names '()) (wrap (lambda (form) form)))
       (if (pair? a)
           (let* ((value (expression (cadar a) inner)) (symbol (fresh s (or (caar a) 'it))))

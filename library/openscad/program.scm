@@ -11,7 +11,7 @@
          (symbols (map (lambda (t) (cons (cadr t) (symbol-with "" (own-name (cadr t)) tail))) assigned))
          (table (lambda (kind before after)
                   (table-of statements kind (lambda (n) (symbol-with before n (string-append after tail))) (lambda () #f)))))
-    (make-file statements (make-scope symbols (table 'function ":" "") (table 'module "" ":") #f #f '() whole) symbols)))
+    (make-file statements (make-scope symbols (table 'function "f:" "") (table 'module "" ":") #f #f '() whole) symbols)))
 
 ; The scope of a file knows the files that it uses: the last one first.
 (define (link-file! f files)

@@ -45,7 +45,7 @@
           (else
            (let* ((symbols (map (lambda (t) (cons (cadr t) (fresh s (cadr t)))) (filter (lambda (t) (not (special? (cadr t)))) assigned)))
                   (full #f)
-                  (functions (table-of defined 'function (lambda (n) (fresh s (symbol-with ":" n ""))) (lambda () #f)))
+                  (functions (table-of defined 'function (lambda (n) (fresh s (symbol-with "f:" n ""))) (lambda () #f)))
                   (modules (table-of defined 'module (lambda (n) (fresh s (symbol-with "" n ":"))) (lambda () #f)))
                   (all (append (hash-values functions) (hash-values modules))))
              (for-each (lambda (d) (set-definition-wanted! d #t)) all)

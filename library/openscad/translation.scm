@@ -28,7 +28,7 @@
 
 ; Variables are defined as undef, and get their values later. Returns the forms with such a definition at the place of
 ; the value, unless a procedure of the program may need the variable before.
-(define (calls-own? form) (cond ((pair? form) (or (calls-own? (car form)) (calls-own? (cdr form)))) ((symbol? form) (char=? (string-ref (symbol->string form) 0) #\:)) (else #f)))
+(define (calls-own? form) (cond ((pair? form) (or (calls-own? (car form)) (calls-own? (cdr form)))) ((symbol? form) (let ((s (symbol->string form))) (and (> (string-length s) 2) (string=? (substring s 0 2) "f:")))) (else #f)))
 (define (starts? form word) (and (pair? form) (eq? (car form) word)))
 (define (early? form) (and (starts? form 'define) (equal? (caddr form) ''undef)))
 (define (merged forms)
