@@ -247,11 +247,11 @@
             (cond ((and i (< i n))
                    (if (vector-ref values i)
                        (loop (cdr l) (if name next (+ next 1)) bindings specials warnings)
-                       (begin (vector-set! values i form) (loop (cdr l) (if name next (+ next 1)) bindings specials warnings))))
+                       (begin (vector-set! values i (list form)) (loop (cdr l) (if name next (+ next 1)) bindings specials warnings))))
                   ((and name (special? name)) (loop (cdr l) next bindings (cons (cons (special-cell s name) form) specials) warnings))
                   (else (loop (cdr l) (if name next (+ next 1)) bindings specials
                           (cons (if name (list (word s 'scad:unknown-argument) (symbol->string name)) (list (word s 'scad:too-many))) warnings)))))
-          (let* ((values (map (lambda (v) (or v absent)) (vector->list values)))
+          (let* ((values (map (lambda (v) (if v (car v) absent)) (vector->list values)))
                  (form (append (list symbol) first values))
                  (form (fold (lambda (b form) (list (word s 'scad:with-special) (car b) (cdr b) form)) form specials)))
             (if (null? warnings) (becomes-form! t form)
