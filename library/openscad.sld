@@ -13,7 +13,7 @@
           scad:in-module scad:index scad:intersection-for scad:join scad:kids scad:kids-count scad:less scad:less-equal
           scad:m:color scad:m:cylinder scad:m:difference scad:m:group scad:m:hull scad:m:intersection scad:m:mirror
           scad:m:multmatrix scad:m:polyhedron scad:m:render scad:m:rotate scad:m:scale scad:m:sphere scad:m:translate
-          scad:m:union scad:mark scad:member scad:missing scad:modulo scad:more scad:more-equal scad:multiply scad:negate
+          scad:m:union scad:mark scad:member scad:missing scad:modulo scad:more scad:more-equal scad:multiply scad:parent-modules scad:negate
           scad:no-kids scad:power scad:range scad:range-by scad:real scad:set-special! scad:special scad:special-value scad:start scad:subtract
           scad:too-many scad:true? scad:unknown scad:unknown-argument scad:vector-of scad:with-special
           scad:m:cube scad:m:square scad:m:circle scad:m:polygon scad:m:offset scad:m:text scad:m:linear_extrude scad:m:rotate_extrude

@@ -54,7 +54,8 @@
 
 (define (variable t s)
   (let* ((name (cadr t)) (found (find-variable s name)))
-    (cond ((eq? name '$children) (if (scope-kids s) (becomes! t (word s 'scad:kids-count) (scope-kids s)) (unknown-variable t s name)))
+    (cond ((eq? name '$parent_modules) (list (word s 'scad:parent-modules)))
+          ((eq? name '$children) (if (scope-kids s) (becomes! t (word s 'scad:kids-count) (scope-kids s)) (unknown-variable t s name)))
           ((special? name) (becomes! t (word s 'scad:special-value) (special-cell s name)))
           (found found)
           ((eq? name 'PI) pi)
@@ -94,6 +95,11 @@
     (let ((form (equal (expression (cadr t) s) (expression (caddr t) s))))
       (if same? (becomes-form! t form) (becomes! t (word s 'not) form)))))
 
+; A function that is the value of a variable may call itself by that name. Returns (let ((symbol 'undef)) (set! ...) rest).
+(define (function-tree? t) (and (pair? t) (eq? (car t) 'fn)))
+(define (own-function s symbol t inner rest)
+  (list (word s 'let) (list (list symbol (list (word s 'quote) 'undef))) (list (word s 'set!) symbol (expression t inner)) rest))
+
 ; ---- let: each value sees the names before it ----
 
 ; Calls (body scope) after the names are in the scope. Special variables get their values for the time of the body.
@@ -105,9 +111,9 @@
            (let ((value (expression (cadar l) inner)) (cell (special-cell s (caar l))))
              (loop (cdr l) inner (lambda (form) (wrap (list (word s 'scad:with-special) cell value form))))))
           (else
-           (let* ((value (expression (cadar l) inner)) (symbol (new-symbol inner (caar l))))
-             (loop (cdr l) (inner-scope inner (list (cons (caar l) symbol)))
-               (lambda (form) (wrap (list (word s 'let) (list (list symbol value)) form)))))))))
+           (let* ((own? (function-tree? (cadar l))) (tree (cadar l)) (value (if own? #f (expression tree inner))) (symbol (new-symbol inner (caar l))) (next (inner-scope inner (list (cons (caar l) symbol)))))
+             (loop (cdr l) next
+               (lambda (form) (wrap (if own? (own-function s symbol tree next form) (list (word s 'let) (list (list symbol value)) form))))))))))
 
 ; ---- lists: elements are added to a list that is in reverse order ----
 

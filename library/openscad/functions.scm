@@ -173,3 +173,4 @@
     (cond ((not (number? i)) (not-converted "parent_module"))
           ((or (< i 0.0) (not (< i (length active)))) (warning "parent_module: ~a modules are active" (length active)))
           (else (list-ref active (exact (floor i)))))))
+(define (scad:parent-modules) (exact->inexact (length active)))

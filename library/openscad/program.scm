@@ -30,7 +30,7 @@
                 (loop (cdr l) known (cons (list (word s 'scad:set-special!) (special-cell s name) (expression (caddr t) start)) forms))
                 (let ((symbol (cdr (assq name (file-symbols f)))))
                   (loop (cdr l) (cons (cons name symbol) known)
-                    (cons (or (and main? (parameter-form t s)) (list (word s 'set!) symbol (expression (caddr t) start))) forms)))))))))
+                    (cons (or (and main? (parameter-form t s)) (list (word s 'set!) symbol (expression (caddr t) (if (function-tree? (caddr t)) s start)))) forms)))))))))
 
 ; Translates all definitions that are wanted, and those that these want. Returns their forms.
 (define (wanted-forms whole files)
@@ -50,7 +50,7 @@
 (define (program-form form rename)
   (let* ((cache (make-hasheq))
          (renamed (lambda (name) (or (hash-ref cache name #f) (let ((r (rename name))) (hash-set! cache name r) r))))
-         (whole (make-whole renamed '() 0 '() (mentions? (cdr form) 'parent_module)))
+         (whole (make-whole renamed '() 0 '() (or (mentions? (cdr form) 'parent_module) (mentions? (cdr form) '$parent_modules))))
          (files (let loop ((l (cdr form)) (k 0)) (if (null? l) '() (cons (open-file (car l) k whole) (loop (cdr l) (+ k 1)))))))
     (for-each (lambda (f) (link-file! f files)) files)
     (let* ((main (car files)) (s (file-scope main))

@@ -58,13 +58,16 @@
 ; symbols: the symbols of variables that exist already, or #f.
 (define (assigned-form assigned s symbols made make)
   (if (null? assigned) (make made s)
-      (let* ((t (car assigned)) (name (cadr t)) (value (expression (caddr t) s)))
+      (let* ((t (car assigned)) (name (cadr t)) (own? (and (function-tree? (caddr t)) (not symbols) (not (special? name)))) (value (if own? #f (expression (caddr t) (if symbols (with-own s name symbols t) s)))))
         (if (special? name)
             (list (word s 'scad:with-special) (special-cell s name) value (assigned-form (cdr assigned) s symbols made make))
             (let* ((symbol (if symbols (cdr (assq name symbols)) (new-symbol s name))) (inner (inner-scope s (list (cons name symbol))))
                    (rest (assigned-form (cdr assigned) inner symbols made make)))
               (if symbols (list (word s 'begin) (list (word s 'set!) symbol value) rest)
-                  (list (word s 'let) (list (list symbol value)) rest)))))))
+                  (if own? (own-function s symbol (caddr t) inner rest)
+                  (list (word s 'let) (list (list symbol value)) rest))))))))
+(define (with-own s name symbols t)
+  (if (and (function-tree? (caddr t)) (assq name symbols)) (inner-scope s (list (assq name symbols))) s))
 
 ; ---- statements that make objects ----
 

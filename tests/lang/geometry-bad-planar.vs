@@ -89,7 +89,7 @@
 (fails (do-offset square 1 #:corners "round"))
 ; expect: do-offset: corners must be a symbol ('round?), got (round)
 (fails (do-offset square 1 #:corners 'bevel))
-; expect: do-offset: corners must be 'mitre, 'round or 'square, got (bevel)
+; expect: do-offset: corners must be 'mitre, 'round, 'square or 'facets, got (bevel)
 (fails (do-offset square 1 #:segments 2))
 ; expect: do-offset: segments must be from 3 to 100000, got (2)
 (fails (do-offset square 1 #:segments 1.5))
