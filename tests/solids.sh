@@ -56,6 +56,8 @@ END
 esac
 case solids/walls in *"$ONLY"*) # random plans of joined walls; LONG=1: 1,000
   limited 3000 "$vs" --quiet tests/oracle/wall_graphs.vs -D cases="$([ -z "${LONG:-}" ] && echo 12 || echo 1000)" > "$work/why" 2>&1 || echo "ended with $?" >> "$work/why"
+  # walls between two acute joints: a straight one, and one whose layer turns back on itself at a seam
+  [ "${LONG:-}" ] || for seed in 86 771; do limited 60 "$vs" --quiet tests/oracle/wall_graphs.vs -D seed=$seed -D cases=1 >> "$work/why" 2>&1; done
   if [ ! -s "$work/why" ]; then echo "ok solids/walls"; else echo "not ok solids/walls"; head -n 24 "$work/why" | sed 's/^/    /'; fi ;;
 esac
 case solids/acute in *"$ONLY"*) # curved walls that meet at 6 to 35 degrees; LONG=1: 1,000

@@ -44,6 +44,7 @@
          (parts (areas-outside (unite (map loop-region loops)) bodies))
          (main (and (pair? parts) (argmin (lambda (a) (- (turn (car a)))) parts)))
          (at-tip? (lambda (p reach) (any (lambda (tip) (< (distance p tip) reach)) tips)))
-         (corner? (lambda (a) (if (eq? a main) (every (lambda (p) (at-tip? p size)) (car a)) (any (lambda (p) (at-tip? p (* 1.5 size))) (car a)))))
+         (whole? (lambda (a) (every (lambda (tip) (any (lambda (p) (>= (distance p tip) size)) (car a))) tips)))
+         (corner? (lambda (a) (if (eq? a main) (not (whole? a)) (any (lambda (p) (at-tip? p (* 1.5 size))) (car a)))))
          (corners (filter corner? parts)))
     (map (lambda (l) (areas-outside (loop-region l) (append bodies (map area-region corners)))) loops)))
