@@ -84,13 +84,18 @@ def lost(wanted, got, what):
     return ["%s: %a is not there" % (what, text) for text in wanted if text not in got and not any(same(g, text) for g in got)]
 
 
+# A label is a text for each of its lines.
+def lines_of(labels):
+    return [line for t in labels for line in t.split("\n")]
+
+
 def xml_texts(data):
     root = ElementTree.fromstring(data)
     return [v for e in root.iter() for v in [e.text or "", e.tail or "", *e.attrib.values()]]
 
 
 def read_svg(path, data):
-    return lost(texts, [t for t in xml_texts(data)], "svg") if "labels" in path else []
+    return lost(lines_of(texts), [t for t in xml_texts(data)], "svg") if "labels" in path else []
 
 
 def read_x3d(path, data):
@@ -128,7 +133,7 @@ def read_dxf(path, data):
         return ["dxf: its lines are no pairs of code and value"]
     got = [re.sub(r"\\U\+([0-9A-F]{4})", lambda m: chr(int(m[1], 16)), t).replace("^ ", "^") for t in lines[1::2]]
     want = [t for t in texts if ord(t[1]) < 0x10000]  # four digits
-    return lost(want, got, "dxf") if "labels" in path else []
+    return lost(lines_of(want), got, "dxf") if "labels" in path else []
 
 
 def read_tree(path, data):
