@@ -67,7 +67,7 @@ refused "two outputs" "$vs" -q m.vs -o first.scad -o soft.scad
 [ -e first.scad ] && echo "two outputs: the first is written" >> "$work/wrong"
 # a program may write to its own files through ports
 "$vs" -q -e '(define (put x) (call-with-output-file "own.txt" (lambda (p) (write x p)))) (put 1) (display (file->string "own.txt")) (put 2)' > /dev/null || echo "a program cannot write a file that it has read" >> "$work/wrong"
-echo '(draw (make-box origin (xyz 1 1 1)))' > frame-001.scad
+echo 'cube(1);' > frame-001.scad
 # a later frame reads what an earlier one has replaced: under its name, by a link, untrusted, as a picture that is read
 # only when the page is written; the old file is back, and the frames before stay
 echo '(define-parameter t 0.0) (when (> t 0) (load "part-001.scm")) (draw (make-box origin (xyz 1 1 (+ t 1))))' > later.vs

@@ -56,7 +56,7 @@ static void give(const nearest *n, vs_face_info *out) {
 
 vs_outcome vs_drawing_face(vs_scheme *vm, const double point[3], vs_face_info *out) {
   vs_session *s = vs_session_of(vm);
-  *out = (vs_face_info){ NULL };
+  *out = (vs_face_info){ .form = NULL };
   if (vs_session_busy(s, "vs_drawing_face")) return VS_OUTCOME_USAGE;
   vs_ref *drawn;
   size_t count;
